@@ -1,0 +1,1 @@
+"""`python -m plusedit`, `plusedit` and `plusedit-gui`."""

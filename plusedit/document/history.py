@@ -1,0 +1,102 @@
+"""Undo and redo. An edit has no inverse: the history keeps the designs themselves."""
+
+from dataclasses import dataclass
+
+from plusedit.document.design import Design
+from plusedit.document.shape import Shape
+from plusedit.geometry.curve import PlusCurve
+
+BUDGET = 512 * 2**20  # bytes that old designs may hold before the oldest are forgotten
+SMALL = 2000  # bytes that any shape takes besides its arrays, roughly
+
+
+@dataclass(frozen=True, eq=False)
+class Step:
+    """A design and the edit that led to it."""
+
+    label: str
+    design: Design
+    size: int
+    """bytes that this design does not share with the one before"""
+
+
+class History:
+    """Designs in the order in which they were made, and where among them we are."""
+
+    def __init__(self, design: Design, *, budget: int = BUDGET) -> None:
+        self._steps = [Step("", design, 0)]
+        self._at = 0
+        self._budget = budget
+        self._saved: Design | None = design
+
+    @property
+    def design(self) -> Design:
+        """The current design."""
+        return self._steps[self._at].design
+
+    @property
+    def undo_label(self) -> str | None:
+        """What undo would take back, or None."""
+        return self._steps[self._at].label if self._at else None
+
+    @property
+    def redo_label(self) -> str | None:
+        """What redo would do again, or None."""
+        return self._steps[self._at + 1].label if self._at + 1 < len(self._steps) else None
+
+    @property
+    def is_saved(self) -> bool:
+        """Whether the current design is the one that was saved last."""
+        return self._saved is self.design
+
+    def mark_saved(self) -> None:
+        """The current design is on disk."""
+        self._saved = self.design
+
+    def mark_unsaved(self) -> None:
+        """No design of this history is on disk."""
+        self._saved = None
+
+    def push(self, label: str, design: Design) -> None:
+        """Add a step after the current one; what could have been redone is gone.
+
+        A design that is the current one is no step.
+        """
+        if design is self.design:
+            return
+        size = _bytes_not_shared(self.design, design)
+        self._steps[self._at + 1 :] = [Step(label, design, size)]
+        self._at += 1
+        self._forget_the_oldest()
+
+    def undo(self) -> None:
+        """Go one step back, if there is one."""
+        self._at = max(0, self._at - 1)
+
+    def redo(self) -> None:
+        """Go one step on, if there is one."""
+        self._at = min(len(self._steps) - 1, self._at + 1)
+
+    def _forget_the_oldest(self) -> None:
+        total = sum(step.size for step in self._steps)
+        while total > self._budget and self._at > 1:
+            total -= self._steps[1].size
+            del self._steps[0]
+            self._at -= 1
+
+
+def _bytes_not_shared(old: Design, new: Design) -> int:
+    before = {id(array) for shape in old.shapes.values() for array in _arrays(shape)}
+    total = 0
+    for shape_id, shape in new.shapes.items():
+        if old.shapes.get(shape_id) is not shape:
+            total += SMALL
+            total += sum(array.nbytes for array in _arrays(shape) if id(array) not in before)
+    return total
+
+
+def _arrays(shape: Shape) -> list:  # type: ignore[type-arg]
+    if not isinstance(shape.geometry, PlusCurve):
+        return []
+    lines = shape.geometry.lines
+    return [a for a in (lines.points, lines.given, lines.automatic, lines.weights) if a is not None]

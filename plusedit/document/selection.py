@@ -1,0 +1,103 @@
+"""What is selected: shapes, and control lines of them. Not a part of the design."""
+
+from collections import defaultdict
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from plusedit.document.design import Design
+from plusedit.document.shape import ShapeId
+
+
+class LineId(NamedTuple):
+    """A control line by the id of its shape and its number there."""
+
+    shape: ShapeId
+    number: int
+    """counted from 0"""
+
+
+@dataclass(frozen=True)
+class Selection:
+    """Selected control lines, and the shapes that are selected with or without lines of theirs."""
+
+    lines: frozenset[LineId] = frozenset()
+    shapes: frozenset[ShapeId] = frozenset()
+    """those of `lines` always among them"""
+    active: LineId | None = None
+    """the line that was selected last, one of `lines`; numbers typed in speak of it"""
+
+    def __post_init__(self) -> None:
+        shapes = self.shapes | {line.shape for line in self.lines}
+        object.__setattr__(self, "shapes", frozenset(shapes))
+        if self.active not in self.lines:
+            object.__setattr__(self, "active", None)
+
+    @classmethod
+    def of_lines(cls, lines: Iterable[LineId], active: LineId | None = None) -> "Selection":
+        """Those control lines; a single one is active."""
+        chosen = frozenset(lines)
+        if len(chosen) == 1:
+            active = next(iter(chosen))
+        return cls(chosen, active=active)
+
+    @classmethod
+    def of_shapes(cls, shapes: Iterable[ShapeId]) -> "Selection":
+        """Those shapes as wholes, none of their control lines."""
+        return cls(shapes=frozenset(shapes))
+
+    def __bool__(self) -> bool:
+        return bool(self.shapes)
+
+    def __or__(self, other: "Selection") -> "Selection":
+        return Selection(self.lines | other.lines, self.shapes | other.shapes, other.active)
+
+    def toggled(self, line: LineId) -> "Selection":
+        """With `line` added, or taken out if it was in."""
+        if line in self.lines:
+            return Selection(self.lines - {line}, self.shapes)
+        return Selection(self.lines | {line}, self.shapes, line)
+
+    def toggled_shape(self, shape_id: ShapeId) -> "Selection":
+        """With a shape added as a whole, or taken out with all lines of it."""
+        if shape_id not in self.shapes:
+            return Selection(self.lines, self.shapes | {shape_id}, self.active)
+        lines = frozenset(line for line in self.lines if line.shape != shape_id)
+        return Selection(lines, self.shapes - {shape_id}, self.active)
+
+    def by_shape(self) -> Mapping[ShapeId, tuple[int, ...]]:
+        """The indices of the selected lines, rising, for each shape that has some."""
+        found: dict[ShapeId, list[int]] = defaultdict(list)
+        for line in self.lines:
+            found[line.shape].append(line.number)
+        return {shape_id: tuple(sorted(indices)) for shape_id, indices in sorted(found.items())}
+
+    def targets(self, design: Design) -> Mapping[ShapeId, tuple[int, ...]]:
+        """What an edit of control lines acts on, by shape, in editable shapes only.
+
+        The selected lines; where a shape is selected without any line, all lines of it.
+        """
+        lines = self.by_shape()
+        found: dict[ShapeId, tuple[int, ...]] = {}
+        for shape_id in design:
+            curve = design[shape_id].curve
+            if shape_id in self.shapes and curve is not None and design[shape_id].editable:
+                found[shape_id] = lines.get(shape_id, tuple(range(len(curve.lines))))
+        return found
+
+    def cut_to(self, design: Design) -> "Selection":
+        """Without what the design does not have; itself if nothing goes."""
+        lines = frozenset(
+            line
+            for line in self.lines
+            if line.shape in design
+            and (curve := design[line.shape].curve) is not None
+            and line.number < len(curve.lines)
+        )
+        shapes = frozenset(shape_id for shape_id in self.shapes if shape_id in design)
+        if lines == self.lines and shapes == self.shapes:
+            return self
+        return Selection(lines, shapes, self.active)
+
+
+NOTHING_SELECTED = Selection()

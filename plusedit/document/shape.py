@@ -1,0 +1,64 @@
+"""A shape of a design: geometry, and what the outliner says of it."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from types import MappingProxyType
+from typing import NewType, TypeAlias
+
+from plusedit.geometry.curve import PlusCurve
+
+ShapeId = NewType("ShapeId", str)
+Json: TypeAlias = "Mapping[str, Json] | list[Json] | str | float | int | bool | None"
+Tree: TypeAlias = Mapping[str, Json]
+
+NOTHING: Tree = MappingProxyType({})
+
+
+@dataclass(frozen=True, eq=False)
+class NotDrawn:
+    """A shape that this program keeps but can't draw yet, as it stood in the file."""
+
+    kind: str
+    """what the file calls it: "surface" or "mesh" """
+    tree: Tree
+    """every key of the shape but those that `Shape` knows"""
+
+
+Geometry: TypeAlias = PlusCurve | NotDrawn
+
+
+@dataclass(frozen=True)
+class Style:
+    """How a curve is drawn; None leaves it to the theme."""
+
+    color: str | None = None
+    """"#rrggbb" """
+    width: float | None = None
+    """of the stroke, in logical pixels"""
+
+
+@dataclass(frozen=True, eq=False)
+class Shape:
+    """One shape of a design; an immutable value, compared by identity."""
+
+    geometry: Geometry
+    name: str
+    visible: bool = True
+    locked: bool = False
+    style: Style = Style()
+    extra: Tree = field(default=NOTHING)
+    """keys of the file that this program does not know; nested under "basis" and "style" too"""
+
+    @property
+    def curve(self) -> PlusCurve | None:
+        """The curve, or None where the shape is of another kind."""
+        return self.geometry if isinstance(self.geometry, PlusCurve) else None
+
+    @property
+    def editable(self) -> bool:
+        """Whether its geometry may be changed: it is seen, not locked, and can be drawn."""
+        return self.visible and not self.locked and self.curve is not None
+
+    def with_curve(self, curve: PlusCurve) -> "Shape":
+        """The same shape with other geometry."""
+        return replace(self, geometry=curve)

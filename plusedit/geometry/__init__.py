@@ -1,0 +1,1 @@
+"""Plus curves as a library: immutable values and pure functions on numpy arrays."""

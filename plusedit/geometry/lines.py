@@ -1,0 +1,143 @@
+"""Control lines: the data that shapes a plus curve.
+
+Line i is L_i(u) = P_i + (u - x_i) g_i with g_i = s d_i. Its control point P_i and direction d_i
+are kept here; the node x_i belongs to the basis and the magnitude s to the curve.
+
+A direction that nobody has set is *automatic*: it follows the neighbouring points,
+
+    d_i = (P_{i+1} - P_{i-1}) / |P_{i+1} - P_{i-1}|,
+
+one-sided at the ends of an open curve, cyclic on a closed one (eq. 10 of the paper).
+"""
+
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from plusedit.geometry.arrays import Floats, frozen, unit
+
+Flags = NDArray[np.bool_]
+
+
+def automatic_directions(points: Floats, *, closed: bool) -> Floats:
+    """(n, dim) unit directions from neighbour to neighbour; zero where the two coincide."""
+    if closed:
+        return unit(np.roll(points, -1, axis=0) - np.roll(points, 1, axis=0))
+    padded = np.concatenate([points[:1], points, points[-1:]])
+    return unit(padded[2:] - padded[:-2])
+
+
+@dataclass(frozen=True, eq=False)
+class ControlLines:
+    """Control points, directions and weights of one curve; never changed in place.
+
+    Compared by identity, so that it can key a cache: an edit makes new control lines.
+    `None` in the sequence of directions given to `of` means automatic.
+    """
+
+    points: Floats
+    """(n, dim), n at least 2, dim 2 or 3"""
+    given: Floats
+    """(n, dim) the user's directions, of any length; zero rows where automatic"""
+    automatic: Flags
+    """(n,) true where the direction follows the neighbouring points"""
+    weights: Floats | None = None
+    """(n,) positive, or None where all are one"""
+    _resolved: dict[bool, Floats] = field(default_factory=dict, init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        points = frozen(self.points, shape=(None, None), name="points")
+        if len(points) < 2:
+            raise ValueError(f"points: a curve needs at least 2 control lines, got {len(points)}")
+        if points.shape[1] not in (2, 3):
+            raise ValueError(f"points: rows need 2 or 3 numbers, got {points.shape[1]}")
+        automatic = np.array(self.automatic, dtype=np.bool_)
+        if automatic.shape != (len(points),):
+            raise ValueError(f"automatic: expected shape {(len(points),)}, got {automatic.shape}")
+        automatic.flags.writeable = False
+        given = np.where(automatic[:, None], 0.0, self.given)
+        object.__setattr__(self, "points", points)
+        object.__setattr__(self, "automatic", automatic)
+        object.__setattr__(self, "given", frozen(given, shape=points.shape, name="directions"))
+        if self.weights is not None:
+            weights = frozen(self.weights, shape=points.shape[:1], name="weights")
+            if weights.min() <= 0.0:
+                raise ValueError(f"weights: must be positive, got {weights.min():g}")
+            object.__setattr__(self, "weights", weights)
+
+    @classmethod
+    def of(
+        cls,
+        points: ArrayLike,
+        directions: "ArrayLike | list[ArrayLike | None] | None" = None,
+        weights: ArrayLike | None = None,
+    ) -> "ControlLines":
+        """Control lines at `points`; `directions` may hold None, or be None, for automatic ones."""
+        at = np.array(points, dtype=np.float64)
+        if directions is None:
+            return cls(at, np.zeros_like(at), np.ones(len(at), dtype=bool), _floats(weights))
+        rows = list(directions)  # type: ignore[arg-type]
+        if len(rows) != len(at):
+            raise ValueError(f"directions: expected {len(at)} rows, got {len(rows)}")
+        given = np.zeros_like(at)
+        for index, row in enumerate(rows):
+            if row is not None:
+                given[index] = row
+        automatic = np.array([row is None for row in rows])
+        return cls(at, given, automatic, _floats(weights))
+
+    def __len__(self) -> int:
+        return len(self.points)
+
+    @property
+    def dimension(self) -> int:
+        """2 for a plane curve, 3 for a space curve."""
+        return int(self.points.shape[1])
+
+    def directions(self, *, closed: bool) -> Floats:
+        """(n, dim) the directions d_i, automatic ones worked out; read-only."""
+        if closed not in self._resolved:
+            automatic = automatic_directions(self.points, closed=closed)
+            rows = np.where(self.automatic[:, None], automatic, self.given)
+            rows.flags.writeable = False
+            self._resolved[closed] = rows
+        return self._resolved[closed]
+
+    @cached_property
+    def unit_weights(self) -> Floats:
+        """(n,) the weights divided by the largest; only their ratios matter."""
+        if self.weights is None:
+            return np.ones(len(self.points))
+        scaled: Floats = self.weights / self.weights.max()
+        return scaled
+
+    def with_points(self, points: Floats) -> "ControlLines":
+        """The same lines through other points; automatic directions follow them."""
+        return replace(self, points=points)
+
+    def with_direction(self, index: int, direction: Floats | None) -> "ControlLines":
+        """The same lines but for one direction; None makes it automatic again."""
+        given, automatic = self.given.copy(), self.automatic.copy()
+        automatic[index] = direction is None
+        if direction is not None:
+            given[index] = direction
+        return replace(self, given=given, automatic=automatic)
+
+    def with_directions(self, directions: Floats) -> "ControlLines":
+        """The same lines with every direction given."""
+        return replace(self, given=directions, automatic=np.zeros(len(self), dtype=bool))
+
+    def with_weights(self, weights: Floats | None) -> "ControlLines":
+        """The same lines with other weights."""
+        return replace(self, weights=weights)
+
+    def taken(self, rows: "list[int] | NDArray[np.intp]") -> "ControlLines":
+        """The lines of those indices, in that order."""
+        weights = None if self.weights is None else self.weights[rows]
+        return ControlLines(self.points[rows], self.given[rows], self.automatic[rows], weights)
+
+
+def _floats(values: ArrayLike | None) -> Floats | None:
+    return None if values is None else np.array(values, dtype=np.float64)

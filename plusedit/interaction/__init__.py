@@ -1,0 +1,1 @@
+"""What tools and views share: pointers, picking, snapping, gestures. No Qt."""

@@ -1,0 +1,1 @@
+"""Files: formats, and saving that never leaves half a file."""

@@ -1,0 +1,1 @@
+"""What is drawn, as data: no Qt, so that windows, pictures and tests see the same."""

@@ -1,0 +1,73 @@
+"""What a canvas must be able to draw. Positions are of the world, sizes are logical pixels.
+
+A color is "#rrggbb", "#rrggbbaa", or the name of a role of the theme such as "plus" or "selected".
+"""
+
+from dataclasses import dataclass
+from typing import Literal, TypeAlias
+
+from plusedit.geometry.arrays import Floats
+
+Dash: TypeAlias = Literal["solid", "dash", "dot"]
+Mark: TypeAlias = Literal["circle", "square", "diamond", "ring", "cross"]
+
+
+@dataclass(frozen=True, eq=False)
+class Polyline:
+    """A line through points (m, dim)."""
+
+    points: Floats
+    color: str
+    width: float = 1.0
+    dash: Dash = "solid"
+
+
+@dataclass(frozen=True, eq=False)
+class Polygon:
+    """A filled area (m, dim), with or without an outline."""
+
+    points: Floats
+    fill: str
+    outline: str | None = None
+    width: float = 1.0
+
+
+@dataclass(frozen=True, eq=False)
+class Segments:
+    """Separate segments between starts and ends, (m, dim) each."""
+
+    starts: Floats
+    ends: Floats
+    color: str
+    width: float = 1.0
+    dash: Dash = "solid"
+
+
+@dataclass(frozen=True, eq=False)
+class Markers:
+    """The same mark at every point (m, dim)."""
+
+    points: Floats
+    mark: Mark
+    size: float
+    """diameter"""
+    fill: str | None
+    """None: hollow, filled with the canvas"""
+    outline: str
+    width: float = 1.5
+
+
+@dataclass(frozen=True, eq=False)
+class Label:
+    """A short text beside a point (dim,)."""
+
+    at: Floats
+    text: str
+    color: str
+    offset: tuple[float, float] = (0.0, 0.0)
+    """of the anchor from the point, pixels to the right and downwards"""
+    anchor: Literal["left", "center", "right"] = "left"
+    size: float = 12.0
+
+
+Item: TypeAlias = Polyline | Polygon | Segments | Markers | Label

@@ -1,0 +1,1 @@
+"""The shelf of tools: each module here is one, and registers itself with `tools.register`."""

@@ -1,0 +1,1 @@
+"""Qt from here on: canvases and docks."""
