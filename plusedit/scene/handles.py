@@ -1,0 +1,81 @@
+"""Control lines as they stand on the screen: where the dots and grips are.
+
+Control line i is drawn as the segment P_i -+ h g_i, h the spacing of the nodes, with a grip at
+each end. On the screen it is never shorter than 24 nor longer than 160 pixels, so that it can
+always be gripped; the direction is what counts, which both ends show. Drawing and picking read
+the same handles.
+"""
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from plusedit.document.design import Design
+from plusedit.document.selection import Selection
+from plusedit.document.shape import ShapeId
+from plusedit.geometry.arrays import Floats, unit
+from plusedit.geometry.curve import PlusCurve
+from plusedit.scene.camera import Camera
+from plusedit.scene.options import ViewOptions
+
+SHORTEST, LONGEST = 24.0, 160.0  # pixels from grip to grip
+END_ON = 1e-3  # foreshortening beyond which a direction is seen as a point
+ALL_UP_TO = 200  # control lines of a design whose handles are all shown
+PROBE = 100.0  # pixels over which foreshortening is measured: many, so that rounding is lost
+
+
+@dataclass(frozen=True, eq=False)
+class Handles:
+    """The control lines of one curve in pixels of the view, to the right and downwards."""
+
+    points: Floats
+    """(n, 2) the dots, at the P_i"""
+    tips: Floats
+    """(2, n, 2) the grips: tips[0] on the side of +d_i, tips[1] on that of -d_i"""
+    drawn: NDArray[np.bool_]
+    """(n,) false where the direction is zero or seen end on: no segment and no grips there"""
+    limited: NDArray[np.bool_]
+    """(n,) true where the segment is not as long as it would be by itself"""
+    arms: Floats
+    """(n, dim) from P_i to tips[0], in the world"""
+    full: Floats
+    """(n, dim) h |s| d_i: the arms as they would be by themselves, in the world"""
+
+
+@lru_cache(maxsize=256)
+def handles(curve: PlusCurve, camera: Camera) -> Handles:
+    """Where the dots and grips of a curve stand in that view."""
+    points, directions = curve.lines.points, curve.directions
+    full = curve.spacing * abs(curve.s) * directions
+    ways = unit(directions)
+    at = camera.to_screen(points)
+    seen = (camera.to_screen(points + ways * (PROBE * camera.pixel)) - at) / PROBE
+    foreshortened = np.hypot(seen[:, 0], seen[:, 1])
+    is_drawn = foreshortened > END_ON
+    shown = np.where(is_drawn, foreshortened, 1.0)
+    length = np.linalg.norm(full, axis=1) / camera.pixel * shown
+    limit = np.clip(length, SHORTEST / 2.0, LONGEST / 2.0)
+    arms = ways * (limit * camera.pixel / shown)[:, None]
+    arms[~is_drawn] = 0.0
+    offset = np.where(is_drawn[:, None], seen * (limit / shown)[:, None], 0.0)
+    tips = np.stack([at + offset, at - offset])
+    return Handles(at, tips, is_drawn, is_drawn & (limit != length), arms, full)
+
+
+def handle_shapes(
+    design: Design, selection: Selection, options: ViewOptions
+) -> tuple[ShapeId, ...]:
+    """The shapes whose control lines are shown, back to front; only those that can be edited."""
+    shown = [
+        (shape_id, len(curve.lines))
+        for shape_id, curve in design.curves()
+        if design[shape_id].editable
+    ]
+    everyone = options.handles == "all" or (
+        options.handles == "auto" and sum(count for _, count in shown) <= ALL_UP_TO
+    )
+    if options.handles == "none":
+        return ()
+    return tuple(i for i, _ in shown if everyone or i in selection.shapes)
