@@ -1,31 +1,41 @@
-"""Edits of control points, directions and weights, on any number of lines of any shapes."""
+"""Edits of control points and weights, on any number of lines of any shapes.
 
-from collections.abc import Callable
-from dataclasses import dataclass, replace
+Edits of directions and affine maps have modules of their own; their names are here too.
+"""
+
+from dataclasses import dataclass
 
 import numpy as np
 
-from plusedit.commands.base import Command, Targets, counted
-from plusedit.document.design import Design, EditError
+from plusedit.commands.base import Command, Targets, counted, edit_lines, fitted
+from plusedit.commands.directions import (
+    ResetDirections,
+    ReverseDirections,
+    ScaleDirections,
+    SetAngle,
+    SetDirection,
+    SetLength,
+    Turn,
+)
+from plusedit.commands.transform import Transform
+from plusedit.document.design import Design
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.lines import ControlLines
 
-
-def edit_lines(
-    design: Design,
-    targets: Targets,
-    edit: Callable[[PlusCurve, list[int]], ControlLines],
-) -> Design:
-    """The design with `edit` done to the named lines. EditError if one is missing."""
-    for shape_id, indices in targets.items():
-        curve = design.curve(shape_id)
-        for index in indices:
-            if not 0 <= index < len(curve.lines):
-                raise EditError(f"{design[shape_id].name} has no control line {index}")
-        lines = edit(curve, list(indices))
-        design = design.with_curve(shape_id, replace(curve, lines=lines))
-    return design
+__all__ = [
+    "MovePoints",
+    "ResetDirections",
+    "ReverseDirections",
+    "ScaleDirections",
+    "SetAngle",
+    "SetCoordinate",
+    "SetDirection",
+    "SetLength",
+    "SetWeight",
+    "Transform",
+    "Turn",
+]
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,16 +52,55 @@ class MovePoints(Command):
 
     def apply(self, design: Design) -> Design:
         def moved(curve: PlusCurve, rows: list[int]) -> ControlLines:
+            by = fitted(self.by, curve.dimension)
+            if not by.any():
+                return curve.lines
             points = curve.lines.points.copy()
-            points[rows] += fitted(self.by, curve.dimension)
+            points[rows] += by
             return curve.lines.with_points(points)
 
         return edit_lines(design, self.targets, moved)
 
 
-def fitted(vector: Floats, dimension: int) -> Floats:
-    """`vector` with as many numbers as `dimension` says: zeros added, or the last left out."""
-    result = np.zeros(dimension)
-    count = min(dimension, len(vector))
-    result[:count] = vector[:count]
-    return result
+@dataclass(frozen=True, eq=False)
+class SetCoordinate(Command):
+    """Give control points the same x, y or z."""
+
+    targets: Targets
+    axis: int
+    value: float
+
+    @property
+    def label(self) -> str:
+        return counted(self.targets, f"Set {'xyz'[self.axis]} of")
+
+    def apply(self, design: Design) -> Design:
+        def placed(curve: PlusCurve, rows: list[int]) -> ControlLines:
+            if self.axis >= curve.dimension:
+                raise ValueError(f"a plane curve has no {'xyz'[self.axis]}")
+            points = curve.lines.points.copy()
+            points[rows, self.axis] = self.value
+            return curve.lines.with_points(points)
+
+        return edit_lines(design, self.targets, placed)
+
+
+@dataclass(frozen=True, eq=False)
+class SetWeight(Command):
+    """Give control lines the same weight; where all weights of a curve become 1 it keeps none."""
+
+    targets: Targets
+    weight: float
+
+    @property
+    def label(self) -> str:
+        return counted(self.targets, "Set weight of")
+
+    def apply(self, design: Design) -> Design:
+        def weighted(curve: PlusCurve, rows: list[int]) -> ControlLines:
+            old = curve.lines.weights
+            weights = np.ones(len(curve.lines)) if old is None else old.copy()
+            weights[rows] = self.weight
+            return curve.lines.with_weights(None if (weights == 1.0).all() else weights)
+
+        return edit_lines(design, self.targets, weighted)

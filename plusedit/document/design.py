@@ -21,9 +21,9 @@ class Design:
     """Shapes by id, in the order of drawing: back to front."""
 
     shapes: Mapping[ShapeId, Shape] = field(default_factory=dict)
-    view: Tree = NOTHING
+    view: Tree = field(default_factory=lambda: NOTHING)
     """what the file keeps of cameras and overlays; never needed to understand the shapes"""
-    extra: Tree = NOTHING
+    extra: Tree = field(default_factory=lambda: NOTHING)
     """keys of the file that this program does not know"""
 
     def __post_init__(self) -> None:

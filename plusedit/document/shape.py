@@ -46,7 +46,7 @@ class Shape:
     visible: bool = True
     locked: bool = False
     style: Style = Style()
-    extra: Tree = field(default=NOTHING)
+    extra: Tree = field(default_factory=lambda: NOTHING)
     """keys of the file that this program does not know; nested under "basis" and "style" too"""
 
     @property

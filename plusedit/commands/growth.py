@@ -1,0 +1,124 @@
+"""Edits of how many control lines a curve has."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from plusedit.commands.base import Command, Targets, counted, edit_curves, unlocked
+from plusedit.document.design import Design, EditError
+from plusedit.document.selection import LineId, Selection
+from plusedit.document.shape import ShapeId
+from plusedit.geometry.arrays import Floats
+from plusedit.geometry.curve import PlusCurve
+from plusedit.geometry.sizes import with_end_line, without_lines
+
+
+@dataclass(frozen=True, eq=False)
+class DeleteLines(Command):
+    """Take control lines away; a curve that would keep fewer than 2 goes as a whole."""
+
+    targets: Targets
+
+    @property
+    def label(self) -> str:
+        return counted(self.targets, "Delete")
+
+    def apply(self, design: Design) -> Design:
+        gone = [
+            shape_id
+            for shape_id, rows in self.targets.items()
+            if rows and len(design.curve(shape_id).lines) - len(set(rows)) < 2
+        ]
+        left = {i: rows for i, rows in self.targets.items() if rows and i not in gone}
+        design = edit_curves(design, left, lambda i, curve: without_lines(curve, left[i]))
+        for shape_id in gone:
+            unlocked(design, shape_id)
+        return design.without(*gone) if gone else design
+
+    def reselect(self, selection: Selection, old: Design, new: Design) -> Selection:
+        """Lines that stay keep being selected; else the neighbour, so that Delete can go on."""
+        kept: list[LineId] = []
+        for line in selection.lines:
+            gone = self.targets.get(line.shape, ())
+            if line.shape in new and line.number not in gone:
+                kept.append(
+                    LineId(line.shape, line.number - sum(row < line.number for row in gone))
+                )
+        shapes = frozenset(shape_id for shape_id in selection.shapes if shape_id in new)
+        if kept or len(self.targets) != 1:
+            return Selection(frozenset(kept), shapes)
+        (shape_id, rows), *_ = self.targets.items()
+        if shape_id not in new or not rows:
+            return Selection(shapes=shapes)
+        last = len(new.curve(shape_id).lines) - 1
+        return Selection.of_lines([LineId(shape_id, min(max(min(rows) - 1, 0), last))])
+
+
+@dataclass(frozen=True, eq=False)
+class InsertLine(Command):
+    """Put a control line on a curve; the shape changes as little as the family allows."""
+
+    shape_id: ShapeId
+    u: float
+
+    @property
+    def label(self) -> str:
+        return "Insert control line"
+
+    def apply(self, design: Design) -> Design:
+        return edit_curves(design, [self.shape_id], lambda _, curve: self._inserted(curve)[0])
+
+    def reselect(self, selection: Selection, old: Design, new: Design) -> Selection:
+        return Selection.of_lines(
+            [LineId(self.shape_id, self._inserted(old.curve(self.shape_id))[1])]
+        )
+
+    def _inserted(self, curve: PlusCurve) -> tuple[PlusCurve, int]:
+        from plusedit.geometry.insertion import insert_line
+
+        return insert_line(curve, self.u)
+
+
+@dataclass(frozen=True, eq=False)
+class AppendLine(Command):
+    """Draw an open curve on by one control line, which is selected then.
+
+    While s is half the length of the control polygon, as on a new curve, it goes on being so.
+    """
+
+    shape_id: ShapeId
+    at_end: bool
+    """after the last line, or before the first"""
+    point: Floats
+    direction: Floats | None = None
+    order: int | None = None
+    """what a B-spline shall have once it has lines enough; None: what it has"""
+
+    @property
+    def label(self) -> str:
+        return "Add control line"
+
+    def apply(self, design: Design) -> Design:
+        def longer(_: ShapeId, curve: PlusCurve) -> PlusCurve:
+            if curve.closed:
+                raise EditError("a closed curve has no end to draw on from")
+            added = with_end_line(
+                curve, self.point, self.direction, at_end=self.at_end, order=self.order
+            )
+            half = usual_s(curve)
+            follows = abs(curve.s - half) <= 1e-9 * half
+            return replace(added, s=usual_s(added)) if follows else added
+
+        return edit_curves(design, [self.shape_id], longer)
+
+    def reselect(self, selection: Selection, old: Design, new: Design) -> Selection:
+        number = len(new.curve(self.shape_id).lines) - 1 if self.at_end else 0
+        return Selection.of_lines([LineId(self.shape_id, number)])
+
+
+def usual_s(curve: PlusCurve) -> float:
+    """Half the length of the control polygon, with its closing edge on a closed curve."""
+    points = curve.lines.points
+    if curve.closed:
+        points = np.concatenate([points, points[:1]])
+    return float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum()) / 2.0
