@@ -21,6 +21,7 @@ if [ $# = 1 ] && [ ! -r "$1" ]; then
   exit 2
 fi
 
+# shellcheck source=assets/setup.sh
 . "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 set_up app
 

@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # What assets/run.sh and tests/run.sh share: system libraries, a Python, the .venv, the program.
 # Sourced by them. Every step names what it does before it does it; where one can't be done, one
 # sentence says why and the script ends with 1. What is there already costs next to nothing.

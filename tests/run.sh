@@ -7,6 +7,7 @@
 # Goes on after a failure, so that one run tells all; ends with 1 if there was any.
 set -u
 
+# shellcheck source=assets/setup.sh
 . "$(dirname "${BASH_SOURCE[0]}")/../assets/setup.sh"
 set_up tests
 cd "$project" || exit
