@@ -16,7 +16,9 @@ SMALLEST, LARGEST = 1e-9, 1e12  # pixels per unit; beyond, doubles no longer tel
 
 
 class Camera(Protocol):
-    """How a view sees the world."""
+    """How a view sees the world; an immutable value that can key a cache."""
+
+    def __hash__(self) -> int: ...
 
     @property
     def size(self) -> tuple[float, float]:
@@ -76,6 +78,14 @@ class PlaneCamera:
         offset = np.asarray(screen) - np.array(self.size) / 2.0
         seen: Floats = offset / (self.scale, -self.scale) + self.center
         return seen
+
+    def placed(self, seen: Floats) -> Floats:
+        """(m, 2) or (m, 3) points of the world that have those two coordinates (m, 2)."""
+        if self.projection == "top":
+            return seen
+        points = np.zeros((len(seen), 3))
+        points[:, self.axes] = seen
+        return points
 
     def to_world(self, screen: Floats, like: Floats) -> Floats:
         point = like.copy()

@@ -9,6 +9,8 @@ from dataclasses import dataclass
 from functools import lru_cache
 from math import ceil, floor, log2
 
+import numpy as np
+
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.bases import Basis
 from plusedit.geometry.blend import Grid
@@ -55,7 +57,7 @@ def _window(camera: PlaneCamera, level: float) -> Window:
 
 @lru_cache(maxsize=512)
 def _grid(curve: PlusCurve, tolerance: float, window: Window, axes: tuple[int, int]) -> Grid:
-    seen = (window[:2], window[2:])
+    seen = (np.array(window[:2]), np.array(window[2:]))
     recent = _RECENT.get((curve.basis, tolerance, window, axes))
     if recent is not None and is_fine(curve, recent, tolerance, window=seen, axes=axes):
         return recent

@@ -1,6 +1,7 @@
 """What a canvas must be able to draw. Positions are of the world, sizes are logical pixels.
 
-A color is "#rrggbb", "#rrggbbaa", or the name of a role of the theme such as "plus" or "selected".
+A color is "#rrggbb", "#rrggbbaa", or the name of a role of the theme such as "plus" or "selected";
+"plus@40" is either at 40 % of its opacity.
 """
 
 from dataclasses import dataclass
@@ -65,7 +66,7 @@ class Label:
     text: str
     color: str
     offset: tuple[float, float] = (0.0, 0.0)
-    """of the anchor from the point, pixels to the right and downwards"""
+    """of the anchor, on the base line, from the point; pixels to the right and downwards"""
     anchor: Literal["left", "center", "right"] = "left"
     size: float = 12.0
 

@@ -58,7 +58,7 @@ def view_tree(options: ViewOptions, camera: PlaneCamera | None = None, *, old: T
         if key not in ("overlays", "handles", "camera", *SWITCHES)
     }
     if options.overlays != USUAL.overlays:
-        tree["overlays"] = sorted(options.overlays)
+        tree["overlays"] = [*sorted(options.overlays)]
     if options.handles != USUAL.handles:
         tree["handles"] = options.handles
     for name in SWITCHES:

@@ -13,8 +13,16 @@ class Theme:
     colors: Mapping[str, str]
 
     def color(self, role: str) -> str:
-        """The color of a role; what begins with "#" is a color already. KeyError otherwise."""
-        return role if role.startswith("#") else self.colors[role]
+        """The color of a role; what begins with "#" is a color already. KeyError otherwise.
+
+        "line@40" is the color of "line" at 40 % of its opacity.
+        """
+        name, _, percent = role.partition("@")
+        color = name if name.startswith("#") else self.colors[name]
+        if not percent:
+            return color
+        opacity = int(color[7:] or "FF", 16) * int(percent) / 100.0
+        return f"{color[:7]}{round(opacity):02X}"
 
 
 def _roles(*values: str) -> Mapping[str, str]:
