@@ -147,6 +147,25 @@ def functions_of_span(
     return np.ascontiguousarray(rows[:order].T)
 
 
+def weights_of_span(arguments: Floats, t: Floats, span: NDArray[np.intp]) -> Floats:
+    """(m, order) the shares of control points in de Boor's triangle with its own argument a column.
+
+    `arguments` is (order - 1, m). With all of a column equal to u these are the B-splines at u;
+    with the knots of a refined B-spline, rising, those of the old points in its new point.
+    """
+    steps, m = arguments.shape
+    rows = np.zeros((steps + 1, m))
+    rows[0] = 1.0
+    for q in range(1, steps + 1):
+        upper = t[span + np.arange(1, q + 1)[:, None]]
+        lower = t[span + np.arange(1 - q, 1)[:, None]]
+        share = rows[:q] / (upper - lower)
+        rows[: q + 1] = 0.0
+        rows[:q] += (upper - arguments[q - 1]) * share
+        rows[1 : q + 1] += (arguments[q - 1] - lower) * share
+    return np.ascontiguousarray(rows.T)
+
+
 def _check_knots(knots: tuple[float, ...], size: int, order: int) -> None:
     t = np.array(knots, dtype=np.float64)
     if len(t) != size + order:
