@@ -73,8 +73,11 @@ class Blend:
 
 def blend_at(basis: Basis, u: Floats, derivative: int = 0) -> Blend:
     """The matrices at parameters u (m,), worked out anew."""
-    if basis.size > DENSE_UP_TO and isinstance(basis, LocalBasis) and basis.order * 2 < basis.size:
-        return Blend(*basis.banded(u, derivative=derivative))
+    if isinstance(basis, LocalBasis):
+        values, reaches = basis.banded(u, derivative=derivative)
+        if basis.size > DENSE_UP_TO and basis.order * 2 < basis.size:
+            return Blend(values, reaches)
+        return Blend(values.dense(), reaches.dense())
     return Blend(basis.values(u, derivative=derivative), basis.reaches(u, derivative=derivative))
 
 

@@ -63,6 +63,11 @@ class LocalBasis(Basis, Protocol):
         """How many functions are not zero inside a span."""
         ...
 
+    @property
+    def breaks(self) -> Floats:
+        """Where pieces meet: the distinct knots, 0 and 1 among them."""
+        ...
+
     def banded(self, u: Floats, *, derivative: int = 0) -> tuple[Banded, Banded]:
         """`values` and `reaches` without their zeros."""
         ...

@@ -1,0 +1,96 @@
+"""Where to look first: parameters between which a curve is smooth and plain.
+
+Methods that sample (drawing, length, nearest point, inflections) start from them. A B-spline is
+a polynomial between its knots. Rational Gaussians have no knots, but a narrow one hands over to
+its neighbour suddenly, where the two are equal; about that place a few parameters lie as close
+as the change is fast. Very unequal weights make the same sudden changes within one polynomial
+piece, at a rate that is even in log(u / (1 - u)): the logarithms of the terms
+W_i u^i (1 - u)^(k - i) are straight lines there, but for a common part.
+"""
+
+from functools import lru_cache
+from math import ceil, log
+
+import numpy as np
+
+from plusedit.geometry.arrays import Floats
+from plusedit.geometry.bases import Basis, LocalBasis
+from plusedit.geometry.bases.rag import RationalGaussian
+from plusedit.geometry.curve import PlusCurve
+
+EVEN = 8.0  # ratio of weights up to which nothing sudden happens
+SAMPLES = 4  # to the piece: a piece is taken for a polynomial of that degree
+HANDOVER = np.array([-40.0, -4.0, 0.0, 4.0, 40.0])  # in units of the width of the change
+
+
+def breaks(basis: Basis) -> Floats:
+    """Parameters from 0 to 1, both among them, between which the functions are smooth.
+
+    All kinks a curve can have, but for cusps, are among them.
+    """
+    if isinstance(basis, RationalGaussian):
+        return _handovers(basis)
+    if isinstance(basis, LocalBasis):
+        return basis.breaks
+    return np.array([0.0, 1.0])
+
+
+def pieces(curve: PlusCurve) -> Floats:
+    """The breaks, and between them as many parameters as degree and weights ask for."""
+    return _pieces(curve.basis, _contrast(curve))
+
+
+def degree(basis: Basis) -> int:
+    """Of the polynomial pieces; four, for want of any, for other functions."""
+    if isinstance(basis, RationalGaussian):
+        return SAMPLES
+    return basis.order if isinstance(basis, LocalBasis) else basis.size
+
+
+def _contrast(curve: PlusCurve) -> int:
+    """The logarithm of the largest ratio of weights, rounded up; 0 where it does not matter."""
+    weights = curve.lines.unit_weights
+    ratio = 1.0 / float(weights.min())
+    return 0 if ratio <= EVEN else ceil(log(ratio))
+
+
+@lru_cache(maxsize=128)
+def _pieces(basis: Basis, contrast: int) -> Floats:
+    inside = _fractions(degree(basis), contrast)
+    ends = breaks(basis)
+    steps = ends[:-1, None] + np.diff(ends)[:, None] * inside
+    u = np.unique(np.append(steps, 1.0))
+    u.flags.writeable = False
+    return u
+
+
+def _fractions(highest: int, contrast: int) -> Floats:
+    """Fractions of one piece, from 0 on and without 1."""
+    count = ceil(highest / SAMPLES)
+    # Closer at the ends, as the nodes of Chebyshev are: polynomials change fastest there.
+    even = (1.0 - np.cos(np.pi * np.arange(count) / count)) / 2.0
+    if not contrast:
+        return even
+    reach = contrast + 2.0
+    slow = np.linspace(-reach, reach, ceil(reach))
+    return np.union1d(even, 1.0 / (1.0 + np.exp(-slow)))
+
+
+def _handovers(basis: RationalGaussian) -> Floats:
+    """Nodes, and where a change from one to the next is quick, parameters about it."""
+    x = basis.nodes
+    sigma = np.broadcast_to(np.array(basis.sigma, dtype=np.float64), x.shape)
+    ahead, wide = np.append(x, x[0] + 1.0), np.append(sigma, sigma[0])
+    if not basis.closed:
+        ahead, wide = ahead[:-1], wide[:-1]
+    gap = np.diff(ahead)
+    change = gap * wide[:-1] / (wide[:-1] + wide[1:])
+    width = wide[:-1] * wide[1:] / gap
+    quick = width < gap / 8.0
+    about = (ahead[:-1] + change)[quick, None] + width[quick, None] * HANDOVER
+    middle = (ahead[:-1] + gap / 2.0)[quick, None]
+    near = np.clip(about, middle - 0.499 * gap[quick, None], middle + 0.499 * gap[quick, None])
+    inside = near.ravel()
+    if basis.closed:
+        inside = inside - np.floor(inside)
+    return np.unique(np.concatenate([[0.0], x, inside, [1.0]]))
