@@ -1,0 +1,64 @@
+"""Where to look so that everything is seen."""
+
+from collections.abc import Iterable
+
+import numpy as np
+
+from plusedit.document.design import Design
+from plusedit.document.shape import ShapeId
+from plusedit.geometry.arrays import Floats
+from plusedit.scene.camera import PlaneCamera
+from plusedit.scene.items import Item, Label, Markers, Polygon, Polyline, Segments
+from plusedit.scene.options import ViewOptions
+from plusedit.scene.scene import scene_items
+
+MARGIN = 32.0  # pixels around what is framed
+ROUNDS = 3  # handles and names keep their size in pixels: zooming in needs room for them again
+CHARACTER = 0.6  # of the height of a font: about the width of a letter
+
+
+def framed(
+    design: Design,
+    camera: PlaneCamera,
+    options: ViewOptions,
+    *,
+    only: Iterable[ShapeId] | None = None,
+    margin: float = MARGIN,
+) -> PlaneCamera:
+    """The camera moved and zoomed so that all that is drawn of the shapes is seen.
+
+    Itself if nothing is drawn. Whatever keeps its size on the screen is given room for.
+    """
+    chosen = None if only is None else frozenset(only)
+    points = _control_points(design, camera, chosen)
+    if not len(points):
+        return camera
+    camera = camera.framing(camera.placed(points), margin)
+    for _ in range(ROUNDS):
+        items = scene_items(design, camera, options, only=chosen)
+        extent = [points, *(seen for item in items for seen in _extent(item, camera))]
+        camera = camera.framing(camera.placed(np.concatenate(extent)), margin)
+    return camera
+
+
+def _control_points(design: Design, camera: PlaneCamera, only: frozenset[ShapeId] | None) -> Floats:
+    rows = [
+        camera.plane(curve.lines.points)
+        for shape_id, curve in design.curves()
+        if design[shape_id].visible and (only is None or shape_id in only)
+    ]
+    return np.concatenate(rows) if rows else np.zeros((0, 2))
+
+
+def _extent(item: Item, camera: PlaneCamera) -> Iterable[Floats]:
+    match item:
+        case Polyline(points) | Polygon(points) | Markers(points):
+            yield camera.plane(points)
+        case Segments(starts, ends):
+            yield camera.plane(starts)
+            yield camera.plane(ends)
+        case Label(at, text, _, offset, anchor, size):
+            width = CHARACTER * size * len(text)
+            left = {"left": 0.0, "center": -0.5, "right": -1.0}[anchor] * width
+            box = np.array([[left, -size], [left + width, size / 3.0]]) + offset
+            yield camera.in_plane(camera.to_screen(at[None]) + box)
