@@ -16,8 +16,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from plusedit.geometry.arrays import Floats
-from plusedit.geometry.bases import Basis, LocalBasis
-from plusedit.geometry.matrices import Matrix
+from plusedit.geometry.bases import Basis, is_local
+from plusedit.geometry.matrices import Matrix, dense
 
 DENSE_UP_TO = 24  # control lines; beyond, skipping the zeros of a local basis pays
 
@@ -72,19 +72,17 @@ class Blend:
 
 
 def blend_at(basis: Basis, u: Floats, derivative: int = 0) -> Blend:
-    """The matrices at parameters u (m,), worked out anew."""
-    if isinstance(basis, LocalBasis):
-        values, reaches = basis.banded(u, derivative=derivative)
-        if basis.size > DENSE_UP_TO and basis.order * 2 < basis.size:
-            return Blend(values, reaches)
-        return Blend(values.dense(), reaches.dense())
+    """The matrices at parameters u (m,), worked out anew; of a local basis banded."""
+    if is_local(basis):
+        return Blend(*basis.banded(u, derivative=derivative))
     return Blend(basis.values(u, derivative=derivative), basis.reaches(u, derivative=derivative))
 
 
 @lru_cache(maxsize=48)
 def blend(basis: Basis, grid: Grid, derivative: int = 0) -> Blend:
     """The matrices at the parameters of `grid`; the same object for equal arguments."""
-    return blend_at(basis, grid.parameters, derivative)
+    made = blend_at(basis, grid.parameters, derivative)
+    return made if basis.size > DENSE_UP_TO else Blend(dense(made.values), dense(made.reaches))
 
 
 def parameters_of(u: ArrayLike) -> Floats:

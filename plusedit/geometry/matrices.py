@@ -41,3 +41,8 @@ class Banded:
 
 Matrix = Floats | Banded
 """What turns control data into points by `@`."""
+
+
+def dense(matrix: Matrix) -> Floats:
+    """The matrix as an array, whichever it is."""
+    return matrix.dense() if isinstance(matrix, Banded) else matrix

@@ -14,8 +14,9 @@ from math import ceil, log
 import numpy as np
 
 from plusedit.geometry.arrays import Floats
-from plusedit.geometry.bases import Basis, LocalBasis
+from plusedit.geometry.bases import Basis, is_local
 from plusedit.geometry.bases.rag import RationalGaussian
+from plusedit.geometry.blend import Grid
 from plusedit.geometry.curve import PlusCurve
 
 EVEN = 8.0  # ratio of weights up to which nothing sudden happens
@@ -30,13 +31,16 @@ def breaks(basis: Basis) -> Floats:
     """
     if isinstance(basis, RationalGaussian):
         return _handovers(basis)
-    if isinstance(basis, LocalBasis):
+    if is_local(basis):
         return basis.breaks
     return np.array([0.0, 1.0])
 
 
-def pieces(curve: PlusCurve) -> Floats:
-    """The breaks, and between them as many parameters as degree and weights ask for."""
+def pieces(curve: PlusCurve) -> Grid:
+    """The breaks, and between them as many parameters as degree and weights ask for.
+
+    The same object for the same basis, so that what is worked out there can be kept.
+    """
     return _pieces(curve.basis, _contrast(curve))
 
 
@@ -44,7 +48,7 @@ def degree(basis: Basis) -> int:
     """Of the polynomial pieces; four, for want of any, for other functions."""
     if isinstance(basis, RationalGaussian):
         return SAMPLES
-    return basis.order if isinstance(basis, LocalBasis) else basis.size
+    return basis.order if is_local(basis) else basis.size
 
 
 def _contrast(curve: PlusCurve) -> int:
@@ -55,13 +59,11 @@ def _contrast(curve: PlusCurve) -> int:
 
 
 @lru_cache(maxsize=128)
-def _pieces(basis: Basis, contrast: int) -> Floats:
+def _pieces(basis: Basis, contrast: int) -> Grid:
     inside = _fractions(degree(basis), contrast)
     ends = breaks(basis)
     steps = ends[:-1, None] + np.diff(ends)[:, None] * inside
-    u = np.unique(np.append(steps, 1.0))
-    u.flags.writeable = False
-    return u
+    return Grid(np.unique(np.append(steps, 1.0)))
 
 
 def _fractions(highest: int, contrast: int) -> Floats:

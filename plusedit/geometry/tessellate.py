@@ -54,12 +54,13 @@ def tessellation(
     """
     if not tolerance > 0.0:
         raise ValueError(f"tolerance: must be positive, got {tolerance}")
-    start = pieces(curve)
+    start = pieces(curve).parameters
     low, high = start[:-1], start[1:]
     done = [low[:0]]
     count = len(start)
+    points = curve.sample(_sampled(pieces(curve)))
     for _ in range(ROUNDS):
-        strays, seen, rounding = _measured(curve, low, high, window, axes)
+        strays, seen, rounding = _judged(points, window, axes)
         allowed = max(SAFE * tolerance, rounding)
         narrow = high - low <= 4.0 * np.spacing(high)
         split = seen & (strays > allowed) & ~narrow
@@ -71,6 +72,7 @@ def tessellation(
             break
         count += int((parts[split] - 1).sum())
         low, high = _cut(low[split], high[split], parts[split])
+        points = curve.at(_within(low, high))
     else:
         done.append(low)
     return Grid(np.unique(np.concatenate([*done, [1.0]])))
@@ -85,17 +87,14 @@ def is_fine(
 ) -> bool:
     """Whether a grid made for another curve, or another window, does for this one.
 
-    False for a grid without the knots of the curve. Costs three samples to the interval, by
+    False for a grid without the knots of the curve. Costs five samples to the interval, by
     matrices that are kept from one frame to the next.
     """
     u = grid.parameters
-    start = pieces(curve)
+    start = pieces(curve).parameters
     if len(u) < len(start) or (u[np.searchsorted(u[:-1], start)] != start).any():
         return False
-    ends = seen_along(curve.sample(grid), axes)
-    inside = seen_along(curve.sample(_quarters(grid)), axes).reshape(3, len(ends) - 1, 2)
-    samples = np.stack([ends[:-1], *inside, ends[1:]], axis=2)
-    strays, seen, rounding = _judged(samples[:, 0], samples[:, 1], window)
+    strays, seen, rounding = _judged(curve.sample(_sampled(grid)), window, axes)
     return not bool((seen & (strays > max(tolerance, rounding))).any())
 
 
@@ -108,29 +107,26 @@ def seen_along(points: Floats, axes: tuple[int, int]) -> Floats:
     return points[:, list(axes)]
 
 
-@lru_cache(maxsize=32)
-def _quarters(grid: Grid) -> Grid:
-    """One, two and three quarters of the way from each parameter to the next."""
-    u, step = grid.parameters[:-1], np.diff(grid.parameters)
-    return Grid(np.concatenate([u + step * part for part in SAMPLED[1:-1]]))
+@lru_cache(maxsize=64)
+def _sampled(grid: Grid) -> Grid:
+    return Grid(_within(grid.parameters[:-1], grid.parameters[1:]))
 
 
-def _measured(
-    curve: PlusCurve, low: Floats, high: Floats, window: Window | None, axes: tuple[int, int]
-) -> tuple[Floats, NDArray[np.bool_], float]:
-    """What `_judged` says of the curve from `low` to `high`, (m,) each."""
+def _within(low: Floats, high: Floats) -> Floats:
+    """(5 m,) the SAMPLED fractions of each interval, one interval after another."""
     u = low[:, None] + (high - low)[:, None] * SAMPLED
     u[:, -1] = high
-    points = seen_along(curve.at(u.ravel()), axes)
-    x, y = points.reshape(len(low), 5, 2).transpose(2, 0, 1)
-    return _judged(x, y, window)
+    return u.ravel()
 
 
-def _judged(x: Floats, y: Floats, window: Window | None) -> tuple[Floats, NDArray[np.bool_], float]:
+def _judged(
+    points: Floats, window: Window | None, axes: tuple[int, int]
+) -> tuple[Floats, NDArray[np.bool_], float]:
     """How far each interval strays from its chord, whether it may be seen, and the rounding.
 
-    x, y are the coordinates (m, 5) of the curve at SAMPLED fractions of the intervals.
+    `points` (5 m, dim) are those of the curve at the parameters of `_within`.
     """
+    x, y = seen_along(points, axes).T.reshape(2, -1, len(SAMPLED))
     rounding = 16.0 * float(np.finfo(np.float64).eps * max(np.abs(x).max(), np.abs(y).max()))
     inside_x, inside_y = x @ INTERPOLATION, y @ INTERPOLATION
     ends = (x[:, 0], y[:, 0]), (x[:, -1], y[:, -1])

@@ -4,7 +4,7 @@ A family is a frozen dataclass of numbers and tuples: it hashes by value, so mat
 it can be cached, and its fields but `size` are what the design file says of it.
 """
 
-from typing import Protocol, Self, runtime_checkable
+from typing import Protocol, Self, TypeGuard, runtime_checkable
 
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.matrices import Banded
@@ -71,6 +71,12 @@ class LocalBasis(Basis, Protocol):
     def banded(self, u: Floats, *, derivative: int = 0) -> tuple[Banded, Banded]:
         """`values` and `reaches` without their zeros."""
         ...
+
+
+def is_local(basis: Basis) -> TypeGuard[LocalBasis]:
+    """Whether the basis has `order`, `breaks` and `banded`."""
+    # A look at one name: isinstance of a protocol looks at all, and this is asked every frame.
+    return hasattr(basis, "banded")
 
 
 families: Registry[type[Basis]] = Registry("plusedit.geometry.bases")
