@@ -1,7 +1,9 @@
 """A shape of a design: geometry, and what the outliner says of it."""
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from math import inf
 from types import MappingProxyType
 from typing import NewType, TypeAlias
 
@@ -12,6 +14,7 @@ Json: TypeAlias = "Mapping[str, Json] | list[Json] | str | float | int | bool | 
 Tree: TypeAlias = Mapping[str, Json]
 
 NOTHING: Tree = MappingProxyType({})
+COLOR = re.compile("#[0-9a-fA-F]{6}", re.ASCII)
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,6 +38,12 @@ class Style:
     """"#rrggbb" """
     width: float | None = None
     """of the stroke, in logical pixels"""
+
+    def __post_init__(self) -> None:
+        if self.color is not None and not COLOR.fullmatch(self.color):
+            raise ValueError(f'color: expected "#rrggbb", got {self.color!r:.40}')
+        if self.width is not None and not 0.0 <= self.width < inf:
+            raise ValueError(f"width: expected a number of pixels, got {self.width}")
 
 
 @dataclass(frozen=True, eq=False)
