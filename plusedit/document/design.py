@@ -85,7 +85,9 @@ class Design:
         return replace(self, shapes={i: s for i, s in self.shapes.items() if i not in gone})
 
     def ordered(self, shape_ids: list[ShapeId]) -> "Design":
-        """The same shapes in that order."""
+        """The same shapes in that order. EditError if it names others, or not all."""
+        if set(shape_ids) != set(self.shapes) or len(shape_ids) != len(self.shapes):
+            raise EditError("an order has to name every shape once")
         return replace(self, shapes={i: self.shapes[i] for i in shape_ids})
 
     def unused_id(self, stem: str) -> ShapeId:

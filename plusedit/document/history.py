@@ -1,13 +1,17 @@
 """Undo and redo. An edit has no inverse: the history keeps the designs themselves."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 from plusedit.document.design import Design
 from plusedit.document.shape import Shape
+from plusedit.geometry.arrays import Floats
 from plusedit.geometry.curve import PlusCurve
+from plusedit.geometry.lines import Flags
 
 BUDGET = 512 * 2**20  # bytes that old designs may hold before the oldest are forgotten
 SMALL = 2000  # bytes that any shape takes besides its arrays, roughly
+PLACE = 100  # bytes that a design takes to list one shape, its own or a shared one
 
 
 @dataclass(frozen=True, eq=False)
@@ -21,11 +25,16 @@ class Step:
 
 
 class History:
-    """Designs in the order in which they were made, and where among them we are."""
+    """Designs in the order in which they were made, and where among them we are.
+
+    There are as many as fit the budget, in bytes, and one more in any case: the last edit can
+    be undone however large it was.
+    """
 
     def __init__(self, design: Design, *, budget: int = BUDGET) -> None:
         self._steps = [Step("", design, 0)]
         self._at = 0
+        self._size = 0
         self._budget = budget
         self._saved: Design | None = design
 
@@ -64,8 +73,10 @@ class History:
         """
         if design is self.design:
             return
-        size = _bytes_not_shared(self.design, design)
-        self._steps[self._at + 1 :] = [Step(label, design, size)]
+        self._size -= sum(step.size for step in self._steps[self._at + 1 :])
+        step = Step(label, design, _bytes_not_shared(self.design, design))
+        self._steps[self._at + 1 :] = [step]
+        self._size += step.size
         self._at += 1
         self._forget_the_oldest()
 
@@ -78,25 +89,28 @@ class History:
         self._at = min(len(self._steps) - 1, self._at + 1)
 
     def _forget_the_oldest(self) -> None:
-        total = sum(step.size for step in self._steps)
-        while total > self._budget and self._at > 1:
-            total -= self._steps[1].size
-            del self._steps[0]
-            self._at -= 1
+        gone = 0
+        while self._size > self._budget and gone < self._at - 1:
+            gone += 1
+            self._size -= self._steps[gone].size
+        del self._steps[:gone]
+        self._at -= gone
 
 
 def _bytes_not_shared(old: Design, new: Design) -> int:
-    before = {id(array) for shape in old.shapes.values() for array in _arrays(shape)}
-    total = 0
+    total = PLACE * len(new)
     for shape_id, shape in new.shapes.items():
-        if old.shapes.get(shape_id) is not shape:
+        before = old.shapes.get(shape_id)
+        if before is not shape:
+            shared = {id(array) for array in _arrays(before)}
             total += SMALL
-            total += sum(array.nbytes for array in _arrays(shape) if id(array) not in before)
+            total += sum(array.nbytes for array in _arrays(shape) if id(array) not in shared)
     return total
 
 
-def _arrays(shape: Shape) -> list:  # type: ignore[type-arg]
-    if not isinstance(shape.geometry, PlusCurve):
-        return []
-    lines = shape.geometry.lines
-    return [a for a in (lines.points, lines.given, lines.automatic, lines.weights) if a is not None]
+def _arrays(shape: Shape | None) -> Iterator[Floats | Flags]:
+    if shape is not None and isinstance(shape.geometry, PlusCurve):
+        lines = shape.geometry.lines
+        yield from (lines.points, lines.given, lines.automatic)
+        if lines.weights is not None:
+            yield lines.weights

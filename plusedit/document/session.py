@@ -41,6 +41,7 @@ class Session:
         self._history = History(design if design is not None else Design())
         self._preview: Design | None = None
         self._selection = NOTHING_SELECTED
+        self._chosen = NOTHING_SELECTED
 
     @property
     def design(self) -> Design:
@@ -88,12 +89,12 @@ class Session:
         """Make `edit` a step of the history, in place of any preview. EditError as above."""
         before = self.committed
         design = edit.apply(before)
-        self._settle(lambda: self._history.push(edit.label, design))
         if design is not before:
-            self.select(edit.reselect(self._selection, before, design))
+            self._chosen = edit.reselect(self._chosen, before, design)
+        self._settle(lambda: self._history.push(edit.label, design))
 
     def abort(self) -> None:
-        """Drop the preview."""
+        """Drop the preview: the committed design, the very same object, is on screen again."""
         self._show(None)
 
     def undo(self) -> None:
@@ -110,7 +111,8 @@ class Session:
         if not saved:
             self._history.mark_unsaved()
         self.select(NOTHING_SELECTED)
-        self.changed.emit(old, design)
+        if old is not design:
+            self.changed.emit(old, design)
         self.stepped.emit()
 
     def mark_saved(self) -> None:
@@ -120,9 +122,8 @@ class Session:
 
     def select(self, selection: Selection) -> None:
         """Select what the design has of `selection`."""
-        old, self._selection = self._selection, selection.cut_to(self.design)
-        if self._selection != old:
-            self.selected.emit(old, self._selection)
+        self._chosen = selection.cut_to(self.design)
+        self._cut()
 
     def _show(self, preview: Design | None) -> None:
         old, self._preview = self.design, preview
@@ -131,10 +132,18 @@ class Session:
     def _settle(self, step: Callable[[], object]) -> None:
         old, self._preview = self.design, None
         step()
+        # For good: what undo brings back is not selected again.
+        self._chosen = self._chosen.cut_to(self.design)
         self._tell(old)
         self.stepped.emit()
 
     def _tell(self, old: Design) -> None:
+        self._cut()
         if old is not self.design:
-            self.select(self._selection)
             self.changed.emit(old, self.design)
+
+    def _cut(self) -> None:
+        """Show as selected what was chosen and is there; a preview may lack some of it."""
+        old, self._selection = self._selection, self._chosen.cut_to(self.design)
+        if self._selection != old:
+            self.selected.emit(old, self._selection)

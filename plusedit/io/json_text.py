@@ -112,7 +112,8 @@ def _why(error: json.JSONDecodeError) -> str:
 
 
 def _whole(digits: str) -> int | float:
-    return int(digits) if len(digits) <= LONGEST_WHOLE else float(digits)
+    # A negative zero has no whole number.
+    return int(digits) if len(digits) <= LONGEST_WHOLE and digits != "-0" else float(digits)
 
 
 def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
