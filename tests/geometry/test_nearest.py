@@ -1,0 +1,128 @@
+"""The nearest point against looking at very many."""
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from plusedit.geometry.bases.bernstein import Bernstein
+from plusedit.geometry.bases.bspline import BSpline
+from plusedit.geometry.curve import PlusCurve
+from plusedit.geometry.lines import ControlLines
+from plusedit.geometry.nearest import nearest_parameter, nearest_parameters
+from tests.geometry.curves import KINDS, random_curve
+
+
+def missed(curve, u, points):
+    """Distances of the points from the curve at u."""
+    return np.linalg.norm(curve.at(u) - points, axis=1)
+
+
+def by_looking(curve, points, count=20001):
+    """The least distances among very many points of the curve."""
+    there = curve.at(np.linspace(0.0, 1.0, count))
+    return np.array([np.linalg.norm(there - point, axis=1).min() for point in points])
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("dimension", [2, 3])
+@pytest.mark.parametrize("contrast", [None, 100.0])
+def test_nothing_nearer_is_found_by_looking(kind, dimension, contrast):
+    for seed in range(3):
+        curve = random_curve(kind, seed=seed, dimension=dimension, contrast=contrast)
+        points = np.random.default_rng(seed).normal(0.0, 1.5, (20, dimension))
+        found = missed(curve, nearest_parameters(curve, points), points)
+        assert (found <= by_looking(curve, points) * (1.0 + 1e-9)).all()
+
+
+@pytest.mark.parametrize("kind", [kind for kind in KINDS if kind != "staircase"])
+def test_a_point_of_the_curve_is_its_own_nearest(kind):
+    curve = random_curve(kind, seed=4)
+    u = np.random.default_rng(1).uniform(0.0, 1.0, 50)
+    points = curve.at(u)
+    assert missed(curve, nearest_parameters(curve, points), points).max() < 1e-13
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_the_way_there_is_square_to_the_curve(kind):
+    curve = random_curve(kind, seed=5)
+    points = np.random.default_rng(2).normal(0.0, 1.5, (40, 2))
+    u = nearest_parameters(curve, points)
+    at, velocity = curve.derivatives(u, highest=1)
+    inside = ~np.isin(u, np.append(curve.basis.nodes, [0.0, 1.0]))
+    if isinstance(curve.basis, BSpline):
+        inside &= np.abs(u[:, None] - curve.basis.breaks).min(axis=1) > 1e-9
+    way = at - points
+    cosine = (way * velocity).sum(axis=1) / np.linalg.norm(velocity, axis=1)
+    assert_allclose(cosine[inside], 0.0, atol=1e-9)
+
+
+def test_on_a_straight_line_it_is_the_foot_or_an_end():
+    lines = ControlLines.of([(0.0, 0.0), (1.0, 0.0), (2.0, 0.0)])
+    curve = PlusCurve(Bernstein(3), lines, s=2.0)
+    u = nearest_parameters(curve, [(0.5, 3.0), (-4.0, 1.0), (9.0, -1.0), (2.0, 0.0)])
+    assert_allclose(u, [0.25, 0.0, 1.0, 1.0], atol=1e-15)
+
+
+def test_at_a_kink_it_is_the_kink():
+    curve = PlusCurve(BSpline(3, 2), ControlLines.of([(0.0, 0.0), (1.0, 1.0), (2.0, 0.0)]), s=0.0)
+    assert nearest_parameter(curve, (1.0, 5.0)) == 0.5
+
+
+def test_the_seam_of_a_closed_curve_is_a_place_like_any_other():
+    angle = 2.0 * np.pi * np.arange(8) / 8
+    points = np.stack([np.cos(angle), np.sin(angle)], axis=1)
+    curve = PlusCurve(BSpline(8, 4, closed=True), ControlLines.of(points), s=3.0)
+    straight_ahead = nearest_parameter(curve, (5.0, 0.0))
+    assert min(straight_ahead, 1.0 - straight_ahead) < 1e-12
+    u = nearest_parameters(curve, [(5.0, 1e-3), (5.0, -1e-3)])
+    assert 0.0 < u[0] < 0.01
+    assert 0.99 < u[1] < 1.0
+
+
+def test_seen_from_the_front_depth_does_not_count():
+    curve = random_curve("bspline", dimension=3, seed=6)
+    point = np.array([0.2, 0.3])
+    u = nearest_parameter(curve, point, axes=(0, 2))
+    flat = PlusCurve(
+        curve.basis,
+        ControlLines.of(
+            curve.lines.points[:, [0, 2]], list(curve.directions[:, [0, 2]]), curve.lines.weights
+        ),
+        curve.s,
+    )
+    assert_allclose(u, nearest_parameter(flat, point), atol=1e-12)
+
+
+def test_a_plane_curve_seen_from_the_front_lies_on_the_axis():
+    curve = random_curve("bspline", seed=6)
+    u = nearest_parameter(curve, (0.0, 7.0), axes=(0, 2))
+    assert_allclose(
+        abs(curve.at(u)[0, 0]), np.abs(curve.at(np.linspace(0, 1, 999))[:, 0]).min(), atol=1e-2
+    )
+
+
+def test_points_all_in_one_place_are_near_at_any_parameter():
+    curve = PlusCurve(Bernstein(3), ControlLines.of([(1.0, 1.0)] * 3))
+    assert 0.0 <= nearest_parameter(curve, (4.0, 5.0)) <= 1.0
+
+
+@pytest.mark.parametrize("scale", [1e-120, 1e80])
+def test_the_size_does_not_matter(scale):
+    curve = random_curve("bezier", seed=7)
+    large = PlusCurve(
+        curve.basis,
+        ControlLines.of(scale * curve.lines.points, list(scale * curve.directions)),
+        curve.s,
+    )
+    point = np.array([0.4, 0.3])
+    assert_allclose(nearest_parameter(large, scale * point), nearest_parameter(curve, point))
+
+
+def test_no_points_have_no_parameters():
+    assert nearest_parameters(random_curve("bezier"), np.zeros((0, 2))).shape == (0,)
+
+
+@pytest.mark.parametrize("point", [(1.0, 2.0, 3.0), (np.nan, 0.0)])
+def test_points_that_do_not_fit_are_refused(point):
+    with pytest.raises(ValueError, match="points: "):
+        nearest_parameter(random_curve("bezier"), point)
