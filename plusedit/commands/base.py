@@ -17,6 +17,16 @@ Targets = Mapping[ShapeId, tuple[int, ...]]
 """Indices of control lines by shape, as `Selection.targets` gives them."""
 
 
+@dataclass(frozen=True, eq=False)
+class Landing:
+    """Where one of the lines that are moved or turned comes to stand, free of rounding."""
+
+    shape_id: ShapeId
+    number: int
+    vector: Floats
+    """(dim,) its control point or direction then"""
+
+
 class Command(ABC):
     """An edit that knows its name, and what is selected after it. It has no undo: history does."""
 
@@ -113,7 +123,7 @@ def unlocked(design: Design, shape_id: ShapeId) -> Shape:
 def edit_lines(
     design: Design,
     targets: Targets,
-    edit: Callable[[PlusCurve, list[int]], ControlLines],
+    edit: Callable[[ShapeId, PlusCurve, list[int]], ControlLines],
 ) -> Design:
     """The design with `edit` done to the named lines. EditError if one is missing."""
 
@@ -122,7 +132,7 @@ def edit_lines(
         missing = [row for row in rows if not 0 <= row < len(curve.lines)]
         if missing:
             raise EditError(f"{design[shape_id].name} has no control line {missing[0] + 1}")
-        lines = edit(curve, rows) if rows else curve.lines
+        lines = edit(shape_id, curve, rows) if rows else curve.lines
         return curve if lines is curve.lines else replace(curve, lines=lines)
 
     return edit_curves(design, targets, edited)

@@ -10,7 +10,7 @@ from math import cos, pi, sin
 
 import numpy as np
 
-from plusedit.commands.base import Command, Targets, counted, edit_lines, fitted
+from plusedit.commands.base import Command, Landing, Targets, counted, edit_lines, fitted
 from plusedit.document.design import Design
 from plusedit.document.shape import ShapeId
 from plusedit.geometry.arrays import Floats
@@ -24,14 +24,19 @@ TOP: Plane = (0, 1)
 
 
 def redirected(
-    design: Design, targets: Targets, change: Callable[[PlusCurve, Floats], Floats]
+    design: Design,
+    targets: Targets,
+    change: Callable[[PlusCurve, Floats], Floats],
+    landing: Landing | None = None,
 ) -> Design:
     """The design with the named directions (k, dim) replaced by what `change` makes of them."""
 
-    def edited(curve: PlusCurve, rows: list[int]) -> ControlLines:
+    def edited(shape_id: ShapeId, curve: PlusCurve, rows: list[int]) -> ControlLines:
         lines = curve.lines
         given, automatic = lines.given.copy(), lines.automatic.copy()
         given[rows] = change(curve, curve.directions[rows])
+        if landing is not None and landing.shape_id == shape_id:
+            given[landing.number] = fitted(landing.vector, curve.dimension)
         automatic[rows] = False
         return replace(lines, given=given, automatic=automatic)
 
@@ -60,21 +65,28 @@ def turned(vectors: Floats, angle: float, plane: Plane = TOP) -> Floats:
 
 @dataclass(frozen=True, eq=False)
 class Turn(Command):
-    """Turn directions by the same angle; their lengths stay."""
+    """Turn directions by the same angle, and stretch them by the same factor if one is given."""
 
     targets: Targets
     angle: float
     """in radians, counter-clockwise as seen in the plane"""
     plane: Plane = TOP
+    factor: float = 1.0
+    landing: Landing | None = None
+    """of one of the directions: where it is to point exactly"""
 
     @property
     def label(self) -> str:
-        return counted(self.targets, "Rotate")
+        return counted(self.targets, "Rotate" if self.factor == 1.0 else "Stretch")
 
     def apply(self, design: Design) -> Design:
-        if self.angle == 0.0:
-            return edit_lines(design, self.targets, lambda curve, _: curve.lines)
-        return redirected(design, self.targets, lambda _, d: turned(d, self.angle, self.plane))
+        if self.angle == 0.0 and self.factor == 1.0 and self.landing is None:
+            return edit_lines(design, self.targets, lambda _, curve, rows: curve.lines)
+
+        def changed(_: PlusCurve, directions: Floats) -> Floats:
+            return turned(directions, self.angle, self.plane) * self.factor
+
+        return redirected(design, self.targets, changed, self.landing)
 
 
 @dataclass(frozen=True, eq=False)
@@ -164,7 +176,7 @@ class ScaleDirections(Command):
 
     def apply(self, design: Design) -> Design:
         if self.factor == 1.0:
-            return edit_lines(design, self.targets, lambda curve, _: curve.lines)
+            return edit_lines(design, self.targets, lambda _, curve, rows: curve.lines)
         return redirected(design, self.targets, lambda _, d: d * self.factor)
 
 
@@ -194,7 +206,7 @@ class ResetDirections(Command):
         return counted(self.targets, "Reset")
 
     def apply(self, design: Design) -> Design:
-        def reset(curve: PlusCurve, rows: list[int]) -> ControlLines:
+        def reset(_: ShapeId, curve: PlusCurve, rows: list[int]) -> ControlLines:
             if curve.lines.automatic[rows].all():
                 return curve.lines
             automatic = curve.lines.automatic.copy()

@@ -2,14 +2,14 @@
 
 from dataclasses import dataclass, replace
 
-import numpy as np
-
 from plusedit.commands.base import Command, Targets, counted, edit_curves, unlocked
 from plusedit.document.design import Design, EditError
 from plusedit.document.selection import LineId, Selection
 from plusedit.document.shape import ShapeId
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.curve import PlusCurve
+from plusedit.geometry.insertion import insert_line
+from plusedit.geometry.magnitude import polygon_length
 from plusedit.geometry.sizes import with_end_line, without_lines
 
 
@@ -74,8 +74,6 @@ class InsertLine(Command):
         )
 
     def _inserted(self, curve: PlusCurve) -> tuple[PlusCurve, int]:
-        from plusedit.geometry.insertion import insert_line
-
         return insert_line(curve, self.u)
 
 
@@ -105,9 +103,7 @@ class AppendLine(Command):
             added = with_end_line(
                 curve, self.point, self.direction, at_end=self.at_end, order=self.order
             )
-            half = usual_s(curve)
-            follows = abs(curve.s - half) <= 1e-9 * half
-            return replace(added, s=usual_s(added)) if follows else added
+            return replace(added, s=usual_s(added)) if is_usual(curve) else added
 
         return edit_curves(design, [self.shape_id], longer)
 
@@ -117,8 +113,11 @@ class AppendLine(Command):
 
 
 def usual_s(curve: PlusCurve) -> float:
-    """Half the length of the control polygon, with its closing edge on a closed curve."""
-    points = curve.lines.points
-    if curve.closed:
-        points = np.concatenate([points, points[:1]])
-    return float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum()) / 2.0
+    """Half the length of the control polygon, what a new curve gets."""
+    return polygon_length(curve) / 2.0
+
+
+def is_usual(curve: PlusCurve) -> bool:
+    """Whether s is half the length of the control polygon, but for rounding."""
+    half = usual_s(curve)
+    return abs(curve.s - half) <= 1e-9 * half

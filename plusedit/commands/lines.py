@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from plusedit.commands.base import Command, Targets, counted, edit_lines, fitted
+from plusedit.commands.base import Command, Landing, Targets, counted, edit_lines, fitted
 from plusedit.commands.directions import (
     ResetDirections,
     ReverseDirections,
@@ -19,11 +19,13 @@ from plusedit.commands.directions import (
 )
 from plusedit.commands.transform import Transform
 from plusedit.document.design import Design
+from plusedit.document.shape import ShapeId
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.lines import ControlLines
 
 __all__ = [
+    "Landing",
     "MovePoints",
     "ResetDirections",
     "ReverseDirections",
@@ -45,18 +47,22 @@ class MovePoints(Command):
     targets: Targets
     by: Floats
     """(dim,); what it has not for a space curve is zero, what is too much is left out"""
+    landing: Landing | None = None
+    """of one of the points: P + (Q - P) need not be Q to the last bit"""
 
     @property
     def label(self) -> str:
         return counted(self.targets, "Move")
 
     def apply(self, design: Design) -> Design:
-        def moved(curve: PlusCurve, rows: list[int]) -> ControlLines:
+        def moved(shape_id: ShapeId, curve: PlusCurve, rows: list[int]) -> ControlLines:
             by = fitted(self.by, curve.dimension)
             if not by.any():
                 return curve.lines
             points = curve.lines.points.copy()
             points[rows] += by
+            if self.landing is not None and self.landing.shape_id == shape_id:
+                points[self.landing.number] = fitted(self.landing.vector, curve.dimension)
             return curve.lines.with_points(points)
 
         return edit_lines(design, self.targets, moved)
@@ -75,7 +81,7 @@ class SetCoordinate(Command):
         return counted(self.targets, f"Set {'xyz'[self.axis]} of")
 
     def apply(self, design: Design) -> Design:
-        def placed(curve: PlusCurve, rows: list[int]) -> ControlLines:
+        def placed(_: ShapeId, curve: PlusCurve, rows: list[int]) -> ControlLines:
             if self.axis >= curve.dimension:
                 raise ValueError(f"a plane curve has no {'xyz'[self.axis]}")
             points = curve.lines.points.copy()
@@ -97,7 +103,7 @@ class SetWeight(Command):
         return counted(self.targets, "Set weight of")
 
     def apply(self, design: Design) -> Design:
-        def weighted(curve: PlusCurve, rows: list[int]) -> ControlLines:
+        def weighted(_: ShapeId, curve: PlusCurve, rows: list[int]) -> ControlLines:
             old = curve.lines.weights
             weights = np.ones(len(curve.lines)) if old is None else old.copy()
             weights[rows] = self.weight

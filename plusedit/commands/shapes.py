@@ -7,6 +7,8 @@ here too.
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from plusedit.commands.base import (
     Command,
     Targets,
@@ -21,6 +23,7 @@ from plusedit.document.design import Design, EditError
 from plusedit.document.selection import LineId, Selection
 from plusedit.document.shape import Shape, ShapeId, Style
 from plusedit.geometry.arrays import Floats
+from plusedit.geometry.transforms import reversed_curve, reversed_rows
 
 __all__ = [
     "AddShapes",
@@ -47,6 +50,8 @@ class AddShapes(Command):
     shapes: tuple[tuple[ShapeId, Shape], ...]
     name: str = "Add"
     """the label, or its verb where it is a single word"""
+    selected: Selection | None = None
+    """what is selected then; None: the shapes as wholes"""
 
     @property
     def label(self) -> str:
@@ -61,6 +66,8 @@ class AddShapes(Command):
         return with_shapes(design, dict(self.shapes))
 
     def reselect(self, selection: Selection, old: Design, new: Design) -> Selection:
+        if self.selected is not None:
+            return self.selected.cut_to(new)
         return Selection.of_shapes(shape_id for shape_id, _ in self.shapes)
 
 
@@ -245,15 +252,14 @@ class ReverseCurves(Command):
         return of_curves(self.ids, "Reverse")
 
     def apply(self, design: Design) -> Design:
-        from plusedit.geometry.transforms import reversed_curve
-
         return edit_curves(design, self.ids, lambda _, curve: reversed_curve(curve))
 
     def reselect(self, selection: Selection, old: Design, new: Design) -> Selection:
         def there(line: LineId) -> LineId:
             if line.shape not in self.ids:
                 return line
-            return LineId(line.shape, len(old.curve(line.shape).lines) - 1 - line.number)
+            rows = reversed_rows(old.curve(line.shape).basis)
+            return LineId(line.shape, int(np.flatnonzero(rows == line.number)[0]))
 
         active = None if selection.active is None else there(selection.active)
         return Selection(frozenset(map(there, selection.lines)), selection.shapes, active)

@@ -9,6 +9,7 @@ from plusedit.document.design import Design
 from plusedit.document.shape import ShapeId
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.curve import PlusCurve
+from plusedit.geometry.transforms import transformed
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,6 +36,8 @@ class Transform(Command):
     def apply(self, design: Design) -> Design:
         def mapped(shape_id: ShapeId, curve: PlusCurve) -> PlusCurve:
             rows = list(self.targets[shape_id])
+            if curve.dimension == 2 and len(self.matrix) == 3 and self._leaves_the_plane:
+                raise ValueError("a plane curve can be turned in the top view only")
             matrix = fitted_matrix(self.matrix, curve.dimension)
             offset = fitted(self.offset, curve.dimension)
             if (matrix == np.eye(len(matrix))).all() and not offset.any():
@@ -43,27 +46,17 @@ class Transform(Command):
 
         return edit_curves(design, self.targets, mapped)
 
+    @property
+    def _leaves_the_plane(self) -> bool:
+        return bool(self.matrix[2, :2].any() or self.matrix[:2, 2].any())
+
 
 def image(curve: PlusCurve, rows: list[int], matrix: Floats, offset: Floats) -> PlusCurve:
     """The curve with some of its lines mapped, as `Transform` says."""
-    lines, whole = curve.lines, len(rows) == len(curve.lines)
+    lines = curve.lines
+    if len(set(rows)) == len(lines):
+        return transformed(curve, matrix, offset)
     points, given = lines.points.copy(), lines.given.copy()
     points[rows] = points[rows] @ matrix.T + offset
-    factor = similarity(matrix) if whole else None
-    if factor is not None:
-        given = given @ matrix.T / factor
-        return replace(curve, lines=replace(lines, points=points, given=given), s=curve.s * factor)
-    if whole:
-        directions = curve.directions @ matrix.T
-        return replace(curve, lines=lines.with_points(points).with_directions(directions))
     given[rows] = given[rows] @ matrix.T
     return replace(curve, lines=replace(lines, points=points, given=given))
-
-
-def similarity(matrix: Floats) -> float | None:
-    """The factor by which all lengths are multiplied; None if it depends on the direction, or 0."""
-    gram = matrix.T @ matrix
-    square = float(np.trace(gram)) / len(matrix)
-    if square <= 0.0 or np.abs(gram - square * np.eye(len(matrix))).max() > 1e-12 * square:
-        return None
-    return float(np.sqrt(square))

@@ -3,7 +3,7 @@
 from collections.abc import Generator
 from dataclasses import dataclass, field
 from enum import Flag, auto
-from typing import Protocol, TypeAlias
+from typing import ClassVar, Protocol, TypeAlias
 
 import numpy as np
 
@@ -71,9 +71,6 @@ class Stage:
 Outcome: TypeAlias = Command | Selection | None
 """What a tool answers with: an edit, another selection, or nothing (yet)."""
 
-Drag: TypeAlias = Generator[Outcome, Pointer, None]
-"""Each command stands for the whole drag so far and replaces the one before."""
-
 
 @dataclass(frozen=True, eq=False)
 class Feedback:
@@ -89,19 +86,31 @@ class Feedback:
     error: str = ""
 
 
+@dataclass(frozen=True, eq=False)
+class Shown:
+    """What a drag answers with: an outcome, and what to show with it."""
+
+    outcome: Outcome = None
+    feedback: Feedback = Feedback()
+    pan: tuple[float, float] = (0.0, 0.0)
+    """pixels to the right and downwards by which the view is to shift from where it is"""
+
+
+Drag: TypeAlias = Generator[Shown, Pointer, None]
+"""Each command stands for the whole drag so far and replaces the one before; a selection takes
+effect at once. A drag that returns before it yields takes nothing and changes nothing."""
+
+
 class Tool(Protocol):
-    """One entry of the shelf `tools`. It reads the stage and answers; it never calls a session."""
+    """One entry of the shelf `tools`. It reads the stage and answers; it never calls a session.
 
-    @property
-    def title(self) -> str: ...
+    Every view makes its own: what a tool remembers between gestures is the view's affair.
+    """
 
-    @property
-    def shortcut(self) -> str: ...
-
-    @property
-    def order(self) -> int:
-        """Its place in the tool bar."""
-        ...
+    title: ClassVar[str]
+    shortcut: ClassVar[str]
+    order: ClassVar[int]
+    """its place in the tool bar"""
 
     def drag(self, start: Pointer, stage: Stage) -> Drag:
         """A drag from `start`: first advanced with next(), then sent every further pointer."""
@@ -119,13 +128,20 @@ class Tool(Protocol):
         """What a press here would take, shown and said."""
         ...
 
+    def keys(self, stage: Stage) -> frozenset[str]:
+        """The keys that mean something to this tool alone now, such as "Enter" to the pen."""
+        ...
+
     def key(self, key: str, stage: Stage) -> Outcome:
-        """A key that means something to this tool alone, such as "Enter" or "C" to the pen."""
+        """One of `keys` was pressed."""
         ...
 
     def reset(self) -> None:
-        """Escape, or another tool was chosen: forget what was begun."""
+        """A drag was given up, or another tool was chosen: forget what was begun."""
         ...
 
 
-tools: Registry[Tool] = Registry("plusedit.tools")
+tools: Registry[type[Tool]] = Registry("plusedit.tools")
+"""The tools by name: the classes, whose title, shortcut and order menus and tool bars read."""
+
+register = tools.register

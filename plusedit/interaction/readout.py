@@ -1,0 +1,49 @@
+"""Numbers of a drag in words, and the marks that go with it."""
+
+from math import degrees
+
+import numpy as np
+
+from plusedit.geometry.arrays import Floats
+from plusedit.interaction.picking import in_world, seen_plane
+from plusedit.interaction.snapping import decimals
+from plusedit.scene.camera import Camera
+from plusedit.scene.items import Item, Markers, Polygon, Polyline
+
+HOVER_SIZE = 14.0  # pixels, around a dot of 9 or a grip of 8
+
+
+def number(value: float, places: int, *, signed: bool = False) -> str:
+    """Such as "1.25" or "−0.50", with a true minus sign; "+1.25" if signed."""
+    rounded = round(value, places) + 0.0
+    text = f"{rounded:+.{places}f}" if signed and rounded else f"{rounded:.{places}f}"
+    return text.replace("-", "−")
+
+
+def shift_text(by: Floats, camera: Camera) -> str:
+    """Such as "dx 1.25  dy −0.50": the two axes that are seen."""
+    places = decimals(camera.pixel)
+    return "  ".join(f"d{'xyz'[axis]} {number(by[axis], places)}" for axis in seen_plane(camera))
+
+
+def angle_text(angle: float, by: float) -> str:
+    """Such as "angle 37.5° (+12.0°)"; angles in radians."""
+    whole = (degrees(angle) + 180.0) % 360.0 - 180.0
+    return f"angle {number(whole, 1)}° ({number(degrees(by), 1, signed=True)}°)"
+
+
+def ring(points: Floats) -> Markers:
+    """A highlight around what a press would take."""
+    return Markers(points, "ring", HOVER_SIZE, None, "hover", 2.0)
+
+
+def box(corner: Floats, other: Floats, camera: Camera) -> Item:
+    """The rectangle between two pixels."""
+    (left, top), (right, bottom) = corner, other
+    pixels = np.array([(left, top), (right, top), (right, bottom), (left, bottom)])
+    return Polygon(in_world(pixels, camera), "#2563eb1f", "accent", 1.0)
+
+
+def thread(points: Floats) -> Item:
+    """A thin line that leads from a control point to the pointer."""
+    return Polyline(points, "hover", 1.0, "dot")
