@@ -1,0 +1,27 @@
+"""The hull of the control points of the same curve in standard form, one degree higher.
+
+It is never larger than the hull of the union of the two parents, and mostly much smaller.
+"""
+
+from collections.abc import Iterator
+
+from plusedit.document.shape import Shape
+from plusedit.geometry.curve import PlusCurve
+from plusedit.geometry.elevation import elevated
+from plusedit.geometry.hulls import convex_hull
+from plusedit.scene.camera import PlaneCamera
+from plusedit.scene.items import Item, Markers, Polygon, Polyline
+from plusedit.scene.overlays import overlay
+
+
+@overlay("elevated_hull", title="Hull of the Elevated Points", order=20, shortcut="Shift+E")
+def draw(shape: Shape, curve: PlusCurve, camera: PlaneCamera) -> Iterator[Item]:
+    """An outlined area with its polygon; nothing for families that have no standard form."""
+    try:
+        points = elevated(curve).points
+    except ValueError:
+        return
+    hull = camera.placed(convex_hull(camera.plane(points)))
+    yield Polygon(hull, "union@60", "accent@60", 1.0)
+    yield Polyline(points, "accent@45", 1.0, "dash")
+    yield Markers(points, "diamond", 6.0, None, "accent@70", 1.0)

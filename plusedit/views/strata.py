@@ -1,0 +1,110 @@
+"""The layers of a plane view, and which of them stay as they are from frame to frame.
+
+While a shape is edited everything else comes from one pixmap, so that a frame costs what that
+shape costs, however many others there are.
+"""
+
+from collections.abc import Collection
+from dataclasses import dataclass
+
+from PySide6.QtCore import QRectF
+from PySide6.QtGui import QPainter, QPixmap
+
+from plusedit.document.design import Design, changed
+from plusedit.document.selection import Selection
+from plusedit.document.shape import ShapeId
+from plusedit.scene.camera import PlaneCamera
+from plusedit.scene.options import ViewOptions
+from plusedit.scene.scene import scene_items
+from plusedit.scene.theme import Theme
+from plusedit.views.ground import RULER, paint_grid, paint_rulers
+from plusedit.views.painter import ItemPainter, color_of
+
+
+@dataclass(frozen=True)
+class Look:
+    """All but the design that decides what a view shows."""
+
+    camera: PlaneCamera
+    options: ViewOptions
+    theme: Theme
+    selection: Selection
+    ratio: float
+    """pixels of the device to a logical pixel"""
+
+    def __hash__(self) -> int:
+        return hash((self.camera, self.theme.name, self.ratio))
+
+
+class Strata:
+    """What is drawn, split into what moves and what does not."""
+
+    def __init__(self) -> None:
+        self._look: Look | None = None
+        self._still = Design()
+        """the design of which the pixmap shows all but the moving shapes"""
+        self._moving: frozenset[ShapeId] = frozenset()
+        self._last = Design()
+        """the design of the last frame"""
+        self._pixmap = QPixmap()
+
+    @property
+    def moving(self) -> frozenset[ShapeId]:
+        """The shapes that are drawn anew in every frame."""
+        return self._moving
+
+    def paint(self, painter: QPainter, design: Design, look: Look) -> None:
+        """Draw the ground, all shapes and the rulers; what follows stays beside the rulers."""
+        self._settle(design, look)
+        painter.drawPixmap(0, 0, self._pixmap)
+        painter.setClipRect(beside_rulers(look))
+        if self._moving:
+            _paint_shapes(painter, design, look, self._moving)
+        self._last = design
+
+    def _settle(self, design: Design, look: Look) -> None:
+        """Draw what does not move anew, unless the pixmap still shows it."""
+        since = changed(self._still, design) if design is not self._still else set()
+        if look == self._look and since <= self._moving and not _reordered(self._still, design):
+            return
+        same_look = look == self._look
+        self._moving = frozenset(changed(self._last, design)) if same_look else frozenset()
+        self._look, self._still = look, design
+        self._pixmap = _new_pixmap(look)
+        painter = QPainter(self._pixmap)
+        if look.options.grid:
+            paint_grid(painter, look.camera, look.theme)
+        still = [shape_id for shape_id in design if shape_id not in self._moving]
+        _paint_shapes(painter, design, look, still)
+        if look.options.rulers:
+            paint_rulers(painter, look.camera, look.theme)
+        painter.end()
+
+
+def beside_rulers(look: Look) -> QRectF:
+    """The part of the view that the rulers leave free."""
+    edge = RULER if look.options.rulers else 0.0
+    width, height = look.camera.size
+    return QRectF(edge, edge, width - edge, height - edge)
+
+
+def _reordered(old: Design, new: Design) -> bool:
+    """Whether shapes that both have lie in another order; nothing else counts here."""
+    if len(old) != len(new) or old.shapes.keys() != new.shapes.keys():
+        return False
+    return list(old) != list(new)
+
+
+def _new_pixmap(look: Look) -> QPixmap:
+    width, height = look.camera.size
+    pixmap = QPixmap(round(width * look.ratio), round(height * look.ratio))
+    pixmap.setDevicePixelRatio(look.ratio)
+    pixmap.fill(color_of(look.theme.color("canvas")))
+    return pixmap
+
+
+def _paint_shapes(
+    painter: QPainter, design: Design, look: Look, shapes: Collection[ShapeId]
+) -> None:
+    items = scene_items(design, look.camera, look.options, look.selection, only=frozenset(shapes))
+    ItemPainter(painter, look.camera, look.theme).paint(items)
