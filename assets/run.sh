@@ -3,7 +3,7 @@
 #
 #   bash assets/run.sh [DESIGN]
 #
-# Without a display it renders DESIGN, or the first example, to a picture and says where it is.
+# Without a display it renders DESIGN, or an example, to a picture and says where it is.
 set -u
 
 case ${1:-} in
@@ -30,12 +30,7 @@ if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ] || [ "$(uname -s)" = Darwin ]; then
   exec "$venv/bin/python" -m plusedit open "$@"
 fi
 
-if [ $# = 1 ]; then
-  design=$1
-else
-  examples=("$project"/assets/examples/*.json)
-  design=${examples[0]}
-fi
+design=${1:-$project/assets/examples/clef.json}
 pictures=${XDG_CACHE_HOME:-$HOME/.cache}/plusedit/pictures
 mkdir -p "$pictures" || give_up "can't make the folder $pictures for the picture."
 name=$(basename "$design")
