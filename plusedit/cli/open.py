@@ -1,0 +1,50 @@
+"""`plusedit open`: the editor."""
+
+import argparse
+import os
+import sys
+
+from plusedit.machine import display, install_command, missing, needed_libraries
+
+NAME = "open"
+HELP = "open files in the editor"
+
+NO_DISPLAY = (
+    "there is no display to open a window on; plusedit render DESIGN OUT.png makes a picture "
+    "without one"
+)
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("files", metavar="FILE", nargs="*", help="designs or SVG files")
+
+
+def run(arguments: argparse.Namespace) -> int:
+    if "PLUSEDIT_WINDOW_TELLS" not in os.environ:
+        _check(arguments.files)
+    if trouble := _no_window():
+        print(f"plusedit: {trouble}", file=sys.stderr)
+        return 2
+    from plusedit.app.main import run as run_editor
+
+    return run_editor(arguments.files)
+
+
+def _check(files: list[str]) -> None:
+    """FormatError if a file can't be read, while there is a terminal to say so on."""
+    if files:
+        from plusedit.io.files import load
+
+        for file in files:
+            load(file)
+
+
+def _no_window() -> str | None:
+    """Why no window can be opened, in one sentence with what helps; None if it can."""
+    if display() is None:
+        return NO_DISPLAY
+    libraries = needed_libraries()
+    if gone := missing(libraries):
+        command = install_command(libraries[name] for name in gone)
+        return f"windows need {', '.join(gone)}; on Debian and Ubuntu: {command}"
+    return None

@@ -1,0 +1,83 @@
+"""`plusedit sample`: points and derivatives as numbers, for scripts and tests."""
+
+import argparse
+import sys
+from pathlib import Path
+
+NAME = "sample"
+HELP = "write points and derivatives of a design as numbers"
+
+USUAL_COUNT, MOST = 101, 1_000_000
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("design", metavar="DESIGN", help="a design, or another file that opens")
+    parser.add_argument(
+        "--at",
+        metavar="PARAMETERS.json",
+        help='where, by shape: {"wing": {"u": [0, 0.5, 1]}}; shapes not named are left out',
+    )
+    parser.add_argument(
+        "--count",
+        metavar="N",
+        type=_count,
+        default=USUAL_COUNT,
+        help=f"without --at: how many evenly spaced parameters (default {USUAL_COUNT})",
+    )
+    parser.add_argument(
+        "--derivatives",
+        metavar="0|1|2",
+        type=int,
+        choices=(0, 1, 2),
+        default=2,
+        help="the highest derivative to write (default 2)",
+    )
+    parser.add_argument("-o", metavar="OUT.json", dest="out", help="instead of standard output")
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Everything is worked out before the first byte is written."""
+    from plusedit.io.files import load, read_file, shown_name, write_file
+    from plusedit.io.json_text import encode, to_bytes
+    from plusedit.io.samples import everywhere, left_out, places_in, samples
+
+    design = load(arguments.design).design
+    if arguments.at is None:
+        places = everywhere(design, arguments.count)
+        for shape_id in left_out(design, places):
+            kind = getattr(design[shape_id].geometry, "kind", "")
+            print(
+                f"{design[shape_id].name} is left out: no {kind} can be sampled yet",
+                file=sys.stderr,
+            )
+    else:
+        at = Path(arguments.at)
+        places = places_in(read_file(at), shown_name(at), design)
+    data = to_bytes(encode(samples(design, places, arguments.derivatives)) + "\n")
+    if arguments.out is None:
+        sys.stdout.buffer.write(data)
+    else:
+        _refuse_input(arguments)
+        write_file(data, arguments.out)
+    return 0
+
+
+def _refuse_input(arguments: argparse.Namespace) -> None:
+    """FormatError if the numbers would take the place of what they were made from."""
+    from plusedit.io.files import shown_name
+    from plusedit.io.formats import FormatError
+
+    out = Path(arguments.out)
+    for source in (arguments.design, arguments.at):
+        if source is not None and out.exists() and out.samefile(source):
+            raise FormatError(f"{shown_name(out)}: is read from and can't be written to")
+
+
+def _count(word: str) -> int:
+    try:
+        count = int(word)
+    except ValueError:
+        count = 0
+    if not 1 <= count <= MOST:
+        raise argparse.ArgumentTypeError(f"expected a whole number from 1 to {MOST}, got {word!r}")
+    return count
