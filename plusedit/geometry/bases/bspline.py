@@ -15,6 +15,8 @@ from plusedit.geometry.bases import register
 from plusedit.geometry.domain import clamped, wrapped
 from plusedit.geometry.matrices import Banded
 
+HIGHEST_ORDER = 1000  # the work grows with its square
+
 
 def uniform_knots(size: int, order: int) -> Floats:
     """Clamped knots of `size` functions: `order` zeros, equal spans, `order` ones."""
@@ -40,6 +42,8 @@ class BSpline:
         if self.order < 2 or (not self.closed and self.order > self.size):
             top = "" if self.closed else f" to {self.size}, the number of control lines"
             raise ValueError(f"order: expected 2{top or ' or more'}, got {self.order}")
+        if self.order > HIGHEST_ORDER:
+            raise ValueError(f"order: {HIGHEST_ORDER} is the highest that can be calculated with")
         if self.knots is not None:
             if self.closed:
                 raise ValueError("knots: a closed B-spline has uniform knots, none can be given")
@@ -65,39 +69,43 @@ class BSpline:
         return np.unique(np.concatenate([[0.0], self._knots, [1.0]]))
 
     def values(self, u: Floats, *, derivative: int = 0) -> Floats:
-        return self._functions(u, derivative)[0].dense()
+        place = self._place(u)
+        return Banded(place.columns, place.functions(derivative), self.size).dense()
 
     def reaches(self, u: Floats, *, derivative: int = 0) -> Floats:
         return self.banded(u, derivative=derivative)[1].dense()
 
     def banded(self, u: Floats, *, derivative: int = 0) -> tuple[Banded, Banded]:
-        value, distance = self._functions(u, derivative)
-        reach = distance * value.entries
+        place = self._place(u)
+        value = place.functions(derivative)
+        reach = place.distances * value
         if derivative:
-            reach += derivative * self._functions(u, derivative - 1)[0].entries
-        return value, Banded(value.columns, reach, self.size)
+            reach += derivative * place.functions(derivative - 1)
+        return Banded(place.columns, value, self.size), Banded(place.columns, reach, self.size)
 
-    def _functions(self, u: Floats, derivative: int) -> tuple[Banded, Floats]:
-        """The non-zero functions at u and the distances (m, k) of u from their nodes."""
-        return (self._closed if self.closed else self._open)(u, derivative)
+    def active(self, u: Floats) -> tuple[NDArray[np.intp], Floats]:
+        """(m, order) each: the lines whose functions are not zero about u, and u - x_i."""
+        place = self._place(u)
+        return place.columns, place.distances
 
-    def _open(self, u: Floats, derivative: int) -> tuple[Banded, Floats]:
+    def _place(self, u: Floats) -> "_Place":
+        return (self._closed if self.closed else self._open)(u)
+
+    def _open(self, u: Floats) -> "_Place":
         u, t, k = clamped(u), self._knots, self.order
         span = np.clip(np.searchsorted(t, u, side="right") - 1, k - 1, self.size - 1)
         columns = span[:, None] + np.arange(1 - k, 1)
-        entries = functions_of_span(u, t, span, k, derivative)
-        return Banded(columns, entries, self.size), u[:, None] - self._nodes[columns]
+        return _Place(u, t, span, k, 1.0, columns, u[:, None] - self._nodes[columns])
 
-    def _closed(self, u: Floats, derivative: int) -> tuple[Banded, Floats]:
+    def _closed(self, u: Floats) -> "_Place":
         # Measured in knot spans the knots are whole numbers: no rounding, and one period is n.
         n, k = self.size, self.order
         u = wrapped(u)
         at = n * u - (k % 2) / 2
         span = np.floor(at).astype(np.intp)
         t = np.arange(-k, n + k + 1, dtype=np.float64)
-        entries = functions_of_span(at, t, span + k, k, derivative) * float(n) ** derivative
         unrolled = span[:, None] + np.arange(1 - k, 1) + (k + 1) // 2
-        return Banded(unrolled % n, entries, n), u[:, None] - unrolled / n
+        return _Place(at, t, span + k, k, float(n), unrolled % n, u[:, None] - unrolled / n)
 
     @cached_property
     def _knots(self) -> Floats:
@@ -115,6 +123,29 @@ class BSpline:
         inner = np.lib.stride_tricks.sliding_window_view(self._knots[1:-1], self.order - 1)
         nodes: Floats = inner.mean(axis=1)
         return nodes
+
+
+@dataclass(frozen=True, eq=False)
+class _Place:
+    """Where parameters lie among knots."""
+
+    at: Floats
+    """(m,) the parameters in units of the knots"""
+    knots: Floats
+    span: NDArray[np.intp]
+    """(m,) knots[span] <= at < knots[span + 1]"""
+    order: int
+    unit: float
+    """how many units of the knots one of the parameter is"""
+    columns: NDArray[np.intp]
+    """(m, order) the lines that are active there"""
+    distances: Floats
+    """(m, order) u - x_i"""
+
+    def functions(self, derivative: int) -> Floats:
+        """(m, order) the functions of those lines, or a derivative by the parameter."""
+        entries = functions_of_span(self.at, self.knots, self.span, self.order, derivative)
+        return entries * self.unit**derivative if derivative else entries
 
 
 def functions_of_span(
