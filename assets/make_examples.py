@@ -202,7 +202,7 @@ def figure_2() -> Design:
 
 def figure_3() -> Design:
     open_ends = turned(bezier(ARCH, 0.75), {0: 38.0, 3: 32.0})
-    drop = ((1.8, 0.0), (4.2, 1.2), (3.0, 3.4), (0.6, 3.4), (-0.6, 1.2), (1.8, 0.0))
+    loop = ((1.4, 0.0), (4.4, 0.9), (3.7, 3.5), (0.6, 3.0), (-0.6, 0.9), (1.4, 0.0))
     about = (
         "Bezier (red) and Bezier+ (green). (a) The inner directions are such that the curve is"
         " tangent to the end control lines. (b) The end control lines coincide as well: a smooth"
@@ -210,8 +210,8 @@ def figure_3() -> Design:
     )
     curves = [
         tangent_at_ends(open_ends, how="unit"),
-        closed_smoothly(bezier(drop, 0.5)),
-        turned(bezier(((0.0, 0.0), (2.0, 3.2), (4.0, 0.0)), 0.7), {1: 120.0}),
+        closed_smoothly(bezier(loop, 0.5)),
+        turned(bezier(((0.0, 0.0), (2.0, 3.0), (4.0, 0.4)), 0.7), {0: -40.0, 1: 100.0}),
     ]
     return design(panels(curves, 3), about, "classical names polygon", "all")
 
