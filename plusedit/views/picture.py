@@ -1,0 +1,67 @@
+"""Designs as pictures of pixels, drawn as the window draws them, without a window."""
+
+import os
+import sys
+
+from PySide6.QtCore import QBuffer, QIODevice
+from PySide6.QtGui import QGuiApplication, QImage, QPainter
+
+from plusedit.document.design import Design
+from plusedit.scene.composition import SIZE, composed
+from plusedit.scene.theme import LIGHT, Theme
+from plusedit.views.painter import ItemPainter, color_of
+
+
+def image_of(
+    design: Design,
+    size: tuple[int, int] = SIZE,
+    theme: Theme = LIGHT,
+    *,
+    transparent: bool = False,
+    ratio: float = 1.0,
+) -> QImage:
+    """The design framed in `size` logical pixels, `ratio` pixels of the image to each.
+
+    Without a running QGuiApplication there is no text; `png_of` sees to one.
+    """
+    width, height = round(size[0] * ratio), round(size[1] * ratio)
+    image = QImage(width, height, QImage.Format.Format_ARGB32_Premultiplied)
+    if image.isNull():
+        raise MemoryError(
+            f"a picture of {width} by {height} pixels takes more memory than there is"
+        )
+    image.setDevicePixelRatio(ratio)
+    image.fill(color_of(theme.color("canvas@0" if transparent else "canvas")))
+    picture = composed(design, (float(size[0]), float(size[1])))
+    painter = QPainter(image)
+    ItemPainter(painter, picture.camera, theme).paint(picture)
+    painter.end()
+    return image
+
+
+def png_of(
+    design: Design,
+    size: tuple[int, int] = SIZE,
+    theme: Theme = LIGHT,
+    *,
+    transparent: bool = False,
+) -> bytes:
+    """The bytes of a PNG file; needs neither a display nor a running application."""
+    application = running_application()
+    image = image_of(design, size, theme, transparent=transparent)
+    buffer = QBuffer()
+    buffer.open(QIODevice.OpenModeFlag.WriteOnly)
+    if not image.save(buffer, "PNG"):  # type: ignore[call-overload]
+        raise OSError("the picture could not be made into a PNG file")
+    # Fonts and pixels belong to the application: it has to live until here.
+    del application
+    return bytes(buffer.data().data())
+
+
+def running_application() -> QGuiApplication:
+    """The application, or a new one that shows no windows and needs no display."""
+    running = QGuiApplication.instance()
+    if isinstance(running, QGuiApplication):
+        return running
+    os.environ["QT_QPA_PLATFORM"] = "offscreen"
+    return QGuiApplication(sys.argv[:1])
