@@ -186,7 +186,7 @@ class Grip:
 
     def _placed(self, flat: Floats) -> Floats:
         """The direction with those two components in the plane of the view."""
-        result = self._direction.copy()
+        result: Floats = self._direction.copy()
         for axis, value in zip(self._plane, flat, strict=True):
             if axis < len(result):
                 result[axis] = value
