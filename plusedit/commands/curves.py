@@ -8,7 +8,9 @@ from plusedit.document.design import Design
 from plusedit.document.shape import ShapeId, Tree
 from plusedit.geometry.bases import Basis
 from plusedit.geometry.curve import PlusCurve
+from plusedit.geometry.passing import passing_through
 from plusedit.geometry.sizes import closed_basis, ordered_basis, with_family
+from plusedit.geometry.tangency import closed_smoothly, tangent_at_ends
 
 Ids = tuple[ShapeId, ...]
 
@@ -125,8 +127,6 @@ class CloseSmoothly(Command):
         return of_curves(self.ids, "Smoothly close")
 
     def apply(self, design: Design) -> Design:
-        from plusedit.geometry.tangency import closed_smoothly
-
         return edit_curves(design, self.ids, lambda _, curve: closed_smoothly(curve))
 
 
@@ -143,8 +143,6 @@ class MakeTangent(Command):
         return of_curves(self.ids, "Make ends tangent of")
 
     def apply(self, design: Design) -> Design:
-        from plusedit.geometry.tangency import tangent_at_ends
-
         return edit_curves(
             design,
             self.ids,
@@ -163,8 +161,6 @@ class PassThrough(Command):
         return of_curves(self.ids, "Pass through the points of")
 
     def apply(self, design: Design) -> Design:
-        from plusedit.geometry.passing import passing_through
-
         return edit_curves(design, self.ids, lambda _, curve: passing_through(curve))
 
 
