@@ -7,6 +7,7 @@ knows what they were meant for can say where they stand.
 
 import codecs
 import json
+from collections import Counter
 from collections.abc import Mapping
 from typing import Any
 
@@ -120,8 +121,8 @@ def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     tree = dict(pairs)
     if len(tree) == len(pairs):
         return tree
-    keys = [key for key, _ in pairs]
-    key = next(key for key in keys if keys.count(key) > 1)
+    times = Counter(key for key, _ in pairs)
+    key = next(key for key, count in times.items() if count > 1)
     owner = f"shape {shown(tree['id'])}: " if {"id", "kind"} <= tree.keys() else ""
     raise _StandsTwiceError(f"{owner}{shown(key)} stands twice in one object")
 

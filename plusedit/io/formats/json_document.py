@@ -131,11 +131,12 @@ def _id(entry: Json, where: str) -> ShapeId:
 
 def _shape(shape_id: ShapeId, tree: Object) -> Shape:
     kind = text(required(tree, "kind"), "kind")
-    extra: dict[str, Json] = {}
+    unknown: Object = {}
+    of_basis: Object = {}
     if kind == "curve":
         geometry: Geometry
-        geometry, extra["basis"] = _curve(tree)
-        extra.update(kept(tree, SHARED | CURVE))
+        geometry, of_basis = _curve(tree)
+        unknown = kept(tree, SHARED | CURVE)
     elif kind in CHECKS:
         check, known = CHECKS[kind]
         check(tree)
@@ -144,14 +145,15 @@ def _shape(shape_id: ShapeId, tree: Object) -> Shape:
         geometry = NotDrawn(kind, MappingProxyType(rest))
     else:
         raise expected("kind", '"curve", "surface" or "mesh"', kind)
-    style, extra["style"] = _style(tree.get("style", {}))
+    style, of_style = _style(tree.get("style", {}))
+    nested = {"basis": of_basis, "style": of_style}
     return Shape(
         geometry,
         name=text(tree.get("name", shape_id), "name"),
         visible=flag(tree.get("visible", True), "visible"),
         locked=flag(tree.get("locked", False), "locked"),
         style=style,
-        extra=MappingProxyType({key: value for key, value in extra.items() if value != {}}),
+        extra=MappingProxyType({**unknown, **{key: tree for key, tree in nested.items() if tree}}),
     )
 
 

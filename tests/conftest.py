@@ -1,0 +1,45 @@
+"""Fixtures for all tests."""
+
+import os
+import tempfile
+
+import pytest
+from hypothesis import HealthCheck, settings
+
+from plusedit.document.session import Session
+from tests.designs import DOCUMENT, a_design
+
+# A slow or busy machine is no failure, and the same examples every time make failures repeatable.
+settings.register_profile(
+    "plusedit",
+    deadline=None,
+    derandomize=True,
+    max_examples=50,
+    database=None,
+    suppress_health_check=[HealthCheck.too_slow],
+)
+settings.load_profile("plusedit")
+
+# Nothing that a person has set or kept is read or written by tests.
+os.environ["XDG_STATE_HOME"] = tempfile.mkdtemp(prefix="plusedit-state-")
+os.environ["XDG_CONFIG_HOME"] = tempfile.mkdtemp(prefix="plusedit-config-")
+
+
+@pytest.fixture
+def design():
+    """A B-spline+ named wing behind a Bezier+ named bow."""
+    return a_design()
+
+
+@pytest.fixture
+def session(design):
+    """A session that has just opened the design."""
+    return Session(design)
+
+
+@pytest.fixture
+def document(tmp_path):
+    """A file with curves, a surface, a mesh, and keys that nobody knows."""
+    path = tmp_path / "bow.json"
+    path.write_bytes(DOCUMENT)
+    return path
