@@ -151,7 +151,7 @@ def design(layers: Iterable[Layer], about: str, overlays: str = "", handles: str
 def panels(
     curves: Sequence[PlusCurve],
     columns: int,
-    gap: float = 1.2,
+    gap: float = 2.0,
     extent: Callable[[PlusCurve], Floats] = lambda curve: curve.lines.points,
 ) -> Iterator[Layer]:
     """Curves named (a), (b), ... in rows of so many, in cells that the extents of all fit in.
@@ -204,9 +204,10 @@ def figure_3() -> Design:
     open_ends = turned(bezier(ARCH, 0.75), {0: 38.0, 3: 32.0})
     loop = ((1.4, 0.0), (4.4, 0.9), (3.7, 3.5), (0.6, 3.0), (-0.6, 0.9), (1.4, 0.0))
     about = (
-        "Bezier (red) and Bezier+ (green). (a) The inner directions are such that the curve is"
-        " tangent to the end control lines. (b) The end control lines coincide as well: a smooth"
-        " closed curve. (c) From the same points a Bezier+ curve may have an inflection more."
+        "Bezier (red) and Bezier+ (green, on dark ground white). (a) The inner"
+        " directions are such that the curve is tangent to the end control lines. (b)"
+        " The end control lines coincide as well: a smooth closed curve. (c) From the same"
+        " points a Bezier+ curve may have an inflection more."
     )
     curves = [
         tangent_at_ends(open_ends, how="unit"),
@@ -221,7 +222,7 @@ def figure_4() -> Design:
         "The Bezier+ curves of Figures 1 and 2, each a blend of two Bezier curves (red). It lies"
         " in the convex hull (blue) of the union of their convex hulls (pink)."
     )
-    curves = panels(growing()[1:] + turning(), 3, extent=parent_points)
+    curves = panels(growing()[1:] + turning(), 3, 1.2, parent_points)
     return design(curves, about, "hulls names", "none")
 
 
@@ -236,13 +237,13 @@ def figure_5() -> Design:
 
 def figure_6() -> Design:
     about = (
-        "(a) A closed B-spline (red) and B-spline+ (green) curve. (b) The same with a smaller"
-        " gradient magnitude s. (c) The same as (a) with the direction at the upper right control"
-        " point reversed."
+        "(a) A closed B-spline (red) and B-spline+ (green, on dark ground white) curve."
+        " (b) The same with a smaller gradient magnitude s. (c) The same as (a) with the"
+        " direction at the upper right control point reversed."
     )
     curves = [bspline(QUAD, s, closed=True) for s in (0.5, 0.25, 0.5)]
     curves[2] = turned(curves[2], {2: 180.0})
-    return design(panels(curves, 3, gap=2.0), about, "classical names polygon", "all")
+    return design(panels(curves, 3), about, "classical names polygon", "all")
 
 
 def clef() -> Design:
