@@ -1,0 +1,121 @@
+"""Shapes on the clipboard, as the JSON of a design: other windows and editors of text read it."""
+
+from collections.abc import Iterable
+from dataclasses import replace
+
+import numpy as np
+from PySide6.QtCore import QMimeData
+from PySide6.QtGui import QGuiApplication
+
+from plusedit.commands.lines import fitted
+from plusedit.commands.shapes import AddShapes, DeleteShapes
+from plusedit.document.design import Design
+from plusedit.document.shape import Shape, ShapeId
+from plusedit.geometry.arrays import Floats
+from plusedit.io.formats import FormatError
+from plusedit.views.desk import Desk
+
+KIND = "application/x-plusedit-shapes+json"
+SHIFT = 2.0  # grid steps to the right and downwards for every copy after the first
+LARGEST = 64 * 2**20  # characters; more than that on a clipboard was not meant for us
+
+
+class Clipboard:
+    """Copy, cut and paste of shapes."""
+
+    def __init__(self, desk: Desk) -> None:
+        self._desk = desk
+        self._pasted = ""
+        self._times = 0
+
+    def copy(self) -> bool:
+        """Put the selected shapes on the clipboard; whether there were any."""
+        design = self._desk.session.committed
+        chosen = self._desk.session.selection.shapes
+        shapes = {i: design[i] for i in design if i in chosen}
+        if not shapes:
+            self._desk.say("Nothing is selected, so nothing was copied.")
+            return False
+        text = text_of(shapes)
+        data = QMimeData()
+        data.setText(text)
+        data.setData(KIND, text.encode())
+        QGuiApplication.clipboard().setMimeData(data)
+        self._pasted, self._times = text, 1
+        self._desk.say(f"Copied {counted(len(shapes))}.")
+        return True
+
+    def cut(self) -> None:
+        """Copy the selected shapes and take them away."""
+        chosen = self._desk.session.selection.shapes
+        ids = tuple(i for i in self._desk.session.committed if i in chosen)
+        if self.copy() and not self._desk.commit(DeleteShapes(ids)):
+            self._times = 0  # nothing is left at that place, so the first copy may go there
+
+    def paste(self) -> None:
+        """Add the shapes on the clipboard, in front and selected."""
+        text = self._text()
+        try:
+            shapes = shapes_in(text)
+        except FormatError:
+            self._desk.say("The clipboard holds no shapes.")
+            return
+        if text != self._pasted:
+            self._pasted, self._times = text, 0
+        step = SHIFT * self._desk.gestures.grid_step * self._times
+        self._times += 1
+        added = fresh(self._desk.session.committed, shapes, np.array([step, -step]))
+        self._desk.commit(AddShapes(added, name="Paste"))
+
+    def _text(self) -> str:
+        data = QGuiApplication.clipboard().mimeData()
+        if data is None:
+            return ""
+        if data.hasFormat(KIND):
+            return bytes(data.data(KIND).data()).decode("utf-8", "replace")
+        return data.text() if data.hasText() else ""
+
+
+def text_of(shapes: "dict[ShapeId, Shape]") -> str:
+    """Shapes as the text of a design."""
+    from plusedit.io.formats.json_document import dumps
+
+    return dumps(Design(shapes)).decode()
+
+
+def shapes_in(text: str) -> list[tuple[ShapeId, Shape]]:
+    """The shapes of a text. FormatError if it is not a design, or an empty one."""
+    from plusedit.io.formats.json_document import loads
+
+    if not text.strip() or len(text) > LARGEST:
+        raise FormatError("the clipboard holds no shapes")
+    shapes = list(loads(text.encode(), "clipboard").design.shapes.items())
+    if not shapes:
+        raise FormatError("the clipboard holds no shapes")
+    return shapes
+
+
+def fresh(
+    design: Design, shapes: Iterable[tuple[ShapeId, Shape]], offset: Floats
+) -> tuple[tuple[ShapeId, Shape], ...]:
+    """The shapes shifted, under ids that no shape of the design has."""
+    added: dict[ShapeId, Shape] = {}
+    for shape_id, shape in shapes:
+        taken = replace(design, shapes={**design.shapes, **added})
+        added[taken.unused_id(shape_id)] = shifted(shape, offset)
+    return tuple(added.items())
+
+
+def shifted(shape: Shape, offset: Floats) -> Shape:
+    """The shape moved by `offset`, visible and unlocked."""
+    shape = replace(shape, visible=True, locked=False)
+    curve = shape.curve
+    if curve is None or not offset.any():
+        return shape
+    points = curve.lines.points + fitted(offset, curve.dimension)
+    return shape.with_curve(replace(curve, lines=curve.lines.with_points(points)))
+
+
+def counted(count: int) -> str:
+    """Such as "1 shape" or "3 shapes"."""
+    return "1 shape" if count == 1 else f"{count} shapes"

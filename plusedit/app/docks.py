@@ -1,0 +1,75 @@
+"""The docks around the view, one for each panel on the shelf."""
+
+from PySide6.QtCore import QByteArray, Qt
+from PySide6.QtWidgets import QDockWidget, QMainWindow, QWidget
+
+from plusedit.views.desk import Desk
+from plusedit.views.panels import panels
+
+AREAS = {
+    "left": Qt.DockWidgetArea.LeftDockWidgetArea,
+    "right": Qt.DockWidgetArea.RightDockWidgetArea,
+}
+WIDTHS = {"left": 216, "right": 264}  # logical pixels at the first start
+HEIGHTS = {"inspector": 420, "lines_table": 260}
+STATE = 1  # version of the kept places of docks
+
+
+class Docks:
+    """Makes the docks; puts them away while the start page is shown."""
+
+    def __init__(self, window: QMainWindow, desk: Desk) -> None:
+        self._window = window
+        self.by_name: dict[str, QDockWidget] = {}
+        self._put_away: list[QDockWidget] = []
+        self._state: QByteArray | None = None
+        for name in sorted(panels, key=lambda name: panels[name].order):
+            panel = panels[name]
+            dock = QDockWidget(panel.title, window)
+            dock.setObjectName(name)
+            dock.setTitleBarWidget(None)
+            dock.setFeatures(
+                QDockWidget.DockWidgetFeature.DockWidgetMovable
+                | QDockWidget.DockWidgetFeature.DockWidgetClosable
+            )
+            dock.setWidget(panel.make(desk))
+            window.addDockWidget(AREAS[panel.area], dock)
+            self.by_name[name] = dock
+        self._size()
+
+    def widget(self, name: str) -> QWidget:
+        """What is in a dock."""
+        return self.by_name[name].widget()
+
+    def state(self) -> QByteArray:
+        """Where docks and tool bars are, to be kept."""
+        return self._window.saveState(STATE) if self._state is None else self._state
+
+    def restore(self, state: QByteArray) -> None:
+        """Put docks and tool bars where they were; nonsense leaves them where they are."""
+        if not state.isEmpty():
+            self._window.restoreState(state, STATE)
+
+    def put_away(self) -> None:
+        """Hide all docks, remembering which were there."""
+        if self._state is None:
+            self._state = self._window.saveState(STATE)
+            self._put_away = [dock for dock in self.by_name.values() if not dock.isHidden()]
+            for dock in self._put_away:
+                dock.hide()
+
+    def bring_back(self) -> None:
+        """Show what was put away."""
+        if self._state is not None:
+            self._state = None
+            for dock in self._put_away:
+                dock.show()
+
+    def _size(self) -> None:
+        for side, width in WIDTHS.items():
+            docks = [self.by_name[n] for n in self.by_name if panels[n].area == side]
+            self._window.resizeDocks(docks, [width] * len(docks), Qt.Orientation.Horizontal)
+        tall = [name for name in HEIGHTS if name in self.by_name]
+        self._window.resizeDocks(
+            [self.by_name[n] for n in tall], [HEIGHTS[n] for n in tall], Qt.Orientation.Vertical
+        )

@@ -1,0 +1,202 @@
+"""What the window can do: the entries of its table of actions.
+
+Edits of the design come from `plusedit.interaction.actions`, tools and overlays from their
+shelves; here is what needs a window.
+"""
+
+from collections.abc import Callable, Iterator
+from typing import TYPE_CHECKING
+
+from PySide6.QtGui import QAction
+
+from plusedit.app.actions import Entry
+from plusedit.app.toolbar import tools_in_order
+from plusedit.interaction.actions import EditAction, edit_actions
+from plusedit.interaction.tool import tools
+from plusedit.scene.camera import Projection
+from plusedit.scene.options import Handles
+from plusedit.scene.overlays import in_order
+
+if TYPE_CHECKING:
+    from plusedit.app.window import MainWindow
+
+ICONS = {
+    "delete": "delete",
+    "duplicate": "duplicate",
+    "reverse_curve": "reverse",
+    "reverse_directions": "reverse-line",
+    "reset_directions": "reset",
+    "close_curve": "close",
+    "pass_through": "pass-through",
+    "make_tangent": "tangent",
+}
+SWITCHES = {
+    "grid": ("Grid", "Ctrl+'"),
+    "rulers": ("Rulers", "Ctrl+R"),
+    "snap": ("Snap to grid", "Shift+S"),
+}
+HANDLES: dict[Handles, str] = {
+    "auto": "Automatic",
+    "selected": "Of selected curves",
+    "all": "Of all curves",
+    "none": "None",
+}
+PROJECTIONS: tuple[tuple[Projection, str, str], ...] = (
+    ("top", "Top", "Num+7"),
+    ("front", "Front", "Num+1"),
+    ("right", "Right", "Num+3"),
+)
+THEMES = {"system": "As the desktop", "light": "Light", "dark": "Dark"}
+MODAL = (("move", "Move", "G"), ("turn", "Rotate", "R"), ("scale", "Scale", "S"))
+ZOOM = 1.4  # for one press of a key
+
+
+def all_entries(window: "MainWindow") -> list[Entry]:
+    """Every entry, in the order of the menus and the palette."""
+    return [
+        *file_entries(window),
+        *edit_entries(window),
+        *tool_entries(window),
+        *design_entries(window),
+        *view_entries(window),
+        *help_entries(window),
+    ]
+
+
+def file_entries(window: "MainWindow") -> Iterator[Entry]:
+    """New, Open, Save and their kin."""
+    files, flows = window.files, window.flows
+    yield Entry("new", "New", "File", flows.new, ("Ctrl+N",), 0, "new", "An empty design")
+    yield Entry("open", "Open…", "File", lambda: files.open(), ("Ctrl+O",), 0, "open")
+    yield Entry("save", "Save", "File", files.save, ("Ctrl+S",), 1, "save")
+    yield Entry("save_as", "Save as…", "File", files.save_as, ("Ctrl+Shift+S",), 1, "save-as")
+    yield Entry("import_svg", "Import SVG…", "File", flows.import_svg, (), 2, "import",
+                "Add the paths of a drawing to the design")  # fmt: skip
+    yield Entry("export_svg", "Export SVG…", "File", files.export_svg, ("Ctrl+E",), 2, "export")
+    yield Entry(
+        "export_png", "Export PNG…", "File", flows.export_png, ("Ctrl+Shift+E",), 2, "export"
+    )
+    yield Entry("recover", "Recover unsaved designs…", "File", flows.recover, (), 3, "history",
+                "What other runs left behind when they ended without saving")  # fmt: skip
+    yield Entry("quit", "Quit", "File", window.close, ("Ctrl+Q",), 4,
+                role=QAction.MenuRole.QuitRole)  # fmt: skip
+
+
+def edit_entries(window: "MainWindow") -> Iterator[Entry]:
+    """Undo, clipboard, what is done by moving the pointer, preferences."""
+    session, clipboard = window.session, window.clipboard
+    yield Entry("undo", "Undo", "Edit", window.undo, ("Ctrl+Z",), 0, "undo",
+                enabled=lambda: session.undo_label is not None)  # fmt: skip
+    yield Entry("redo", "Redo", "Edit", window.redo, ("Ctrl+Shift+Z", "Ctrl+Y"), 0, "redo",
+                enabled=lambda: session.redo_label is not None)  # fmt: skip
+    yield Entry("cut", "Cut", "Edit", clipboard.cut, ("Ctrl+X",), 1, "cut")
+    yield Entry("copy", "Copy", "Edit", clipboard.copy, ("Ctrl+C",), 1, "copy")
+    yield Entry("paste", "Paste", "Edit", clipboard.paste, ("Ctrl+V",), 1, "paste")
+    for drag, name, key in MODAL:
+        yield Entry(
+            f"begin.{drag}", name, "Edit", _begins(window, drag), (key,), 3,
+            hint="Follows the pointer; type numbers, X or Y for an axis, Enter accepts",
+        )  # fmt: skip
+    yield Entry("palette", "Command palette…", "Edit", window.show_palette,
+                ("Ctrl+Shift+P",), 9, "search")  # fmt: skip
+    yield Entry("preferences", "Preferences…", "Edit", window.show_preferences, ("Ctrl+,",), 9,
+                "settings", role=QAction.MenuRole.PreferencesRole)  # fmt: skip
+
+
+def tool_entries(window: "MainWindow") -> Iterator[Entry]:
+    """One entry for each tool on the shelf."""
+    gestures = window.gestures
+    for name in tools_in_order():
+        tool = tools[name]
+        yield Entry(
+            f"tool.{name}",
+            tool.title,
+            "Edit/Tool",
+            lambda name=name: window.choose_tool(name),  # type: ignore[misc]
+            (tool.shortcut,),
+            4,
+            name,
+            checked=lambda name=name: gestures.tool_name == name,  # type: ignore[misc]
+        )
+
+
+def design_entries(window: "MainWindow") -> Iterator[Entry]:
+    """What can be done to the design."""
+    for action in edit_actions():
+        yield Entry(
+            f"edit.{action.name}",
+            action.title,
+            action.menu,
+            _performs(window, action),
+            action.shortcuts,
+            2 if action.menu == "Edit" else 1 if "/" in action.menu else 0,
+            ICONS.get(action.name, ""),
+        )
+
+
+def view_entries(window: "MainWindow") -> Iterator[Entry]:
+    """What is seen, and from where."""
+    view, canvas = window.view, window.canvas
+    for overlay in in_order():
+        yield Entry(
+            f"overlay.{overlay.name}", overlay.title, "View",
+            lambda name=overlay.name: view.toggle_overlay(name),  # type: ignore[misc]
+            (overlay.shortcut,) if overlay.shortcut else (), 0,
+            checked=lambda name=overlay.name: name in view.options.overlays,  # type: ignore[misc]
+        )  # fmt: skip
+    for handles, title in HANDLES.items():
+        yield Entry(
+            f"handles.{handles}", title, "View/Control lines",
+            lambda handles=handles: view.set_handles(handles), (), 1,  # type: ignore[misc]
+            checked=lambda handles=handles: view.options.handles == handles,  # type: ignore[misc]
+        )  # fmt: skip
+    for name, (title, key) in SWITCHES.items():
+        yield Entry(
+            f"view.{name}", title, "View",
+            lambda name=name: view.toggle(name), (key,), 2, name,  # type: ignore[misc]
+            checked=lambda name=name: bool(getattr(view.options, name)),  # type: ignore[misc]
+        )  # fmt: skip
+    for projection, title, key in PROJECTIONS:
+        yield Entry(
+            f"projection.{projection}", title, "View/Projection",
+            lambda which=projection: view.set_projection(which), (key,), 3,  # type: ignore[misc]
+            checked=lambda which=projection: view.projection == which,  # type: ignore[misc]
+        )  # fmt: skip
+    yield Entry("frame_all", "Frame all", "View", canvas.frame_all, ("Home",), 4, "frame-all")
+    yield Entry(
+        "frame_selected", "Frame selected", "View", canvas.frame_selected, ("F",), 4, "frame"
+    )
+    yield Entry("zoom_in", "Zoom in", "View", lambda: canvas.zoom(ZOOM),
+                ("Ctrl++", "Ctrl+="), 4, "zoom-in")  # fmt: skip
+    yield Entry("zoom_out", "Zoom out", "View", lambda: canvas.zoom(1.0 / ZOOM),
+                ("Ctrl+-",), 4, "zoom-out")  # fmt: skip
+    for look, title in THEMES.items():
+        yield Entry(
+            f"look.{look}", title, "View/Theme",
+            lambda look=look: view.set_look(look), (), 5,  # type: ignore[misc]
+            checked=lambda look=look: window.settings.look == look,  # type: ignore[misc]
+        )  # fmt: skip
+    yield Entry("full_screen", "Full screen", "View", window.toggle_full_screen, ("F11",), 6,
+                checked=window.isFullScreen)  # fmt: skip
+
+
+def help_entries(window: "MainWindow") -> Iterator[Entry]:
+    """Help and the start page."""
+    yield Entry("help", "Keys and mouse", "Help", window.show_help, ("F1",), 0, "help")
+    yield Entry("start_page", "Start page", "Help", window.show_start_page, (), 0, "home")
+    yield Entry("about", "About PlusEdit", "Help", window.show_about, (), 1,
+                role=QAction.MenuRole.AboutRole)  # fmt: skip
+
+
+def _begins(window: "MainWindow", drag: str) -> Callable[[], None]:
+    return lambda: window.gestures.begin(drag, window.canvas.pointer)
+
+
+def _performs(window: "MainWindow", action: EditAction) -> Callable[[], None]:
+    gestures = window.gestures
+
+    def perform() -> None:
+        window.magnitude.slider.finish()
+        gestures.perform_by(lambda: action.make(gestures.stage()))
+
+    return perform

@@ -1,0 +1,210 @@
+"""Opening and saving: which file the design is in, and what is asked before anything is lost."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Protocol
+
+from PySide6.QtWidgets import QWidget
+
+from plusedit.app.background import CancelledError, in_background
+from plusedit.app.dialogs import DESIGN_SUFFIX, Dialogs
+from plusedit.app.settings import Settings
+from plusedit.document.design import Design
+from plusedit.events import Event
+from plusedit.io.formats import FormatError, Loaded
+from plusedit.views.desk import Desk
+
+UNTITLED = "Untitled"
+
+
+class DesignView(Protocol):
+    """What a design keeps of the view, asked for when it is saved and given when it is opened."""
+
+    def kept_with(self, design: Design) -> Design:
+        """The design with the view as it is now."""
+        ...
+
+    def show_design(self, design: Design) -> None:
+        """Set the view up as the design says, or as usual."""
+        ...
+
+
+class Files:
+    """The file of the design in the window."""
+
+    def __init__(self, desk: Desk, settings: Settings, parent: QWidget, view: DesignView) -> None:
+        self.dialogs = Dialogs(parent)
+        self.path: Path | None = None
+        """where the design was read from or saved to; None: nowhere yet"""
+        self.named: Event[()] = Event()
+        """emitted when the path, or the list of recent files, changed"""
+        self.notes: Event[str, tuple[str, ...]] = Event()
+        """the name of a file, and what was repaired, left out or changed in reading it"""
+        self._desk, self._settings = desk, settings
+        self._parent, self._view = parent, view
+
+    @property
+    def name(self) -> str:
+        """What the title calls the design."""
+        return UNTITLED if self.path is None else self.path.name
+
+    def may_discard(self) -> bool:
+        """Whether the design in the window may go: it is saved, is to be, or is not wanted."""
+        self._desk.gestures.cancel()
+        if self._desk.session.is_saved:
+            return True
+        answer = self.dialogs.unsaved(self.name)
+        return answer == "discard" or (answer == "save" and self.save())
+
+    def new(self) -> bool:
+        """Start over with an empty design; false if the person would rather not."""
+        if not self.may_discard():
+            return False
+        self.show(Design(), None)
+        return True
+
+    def open(self, path: Path | None = None) -> bool:
+        """Open that file, or the one that the person names; false if none was opened."""
+        path = path or self.dialogs.open_path(self._folder())
+        if path is None:
+            return False
+        loaded = self._loaded(path)
+        # Asked once the file is known to be readable: an error leaves everything as it is.
+        if loaded is None or not self.may_discard():
+            return False
+        self.show(loaded.design, path)
+        self._remember(path)
+        self.notes.emit(path.name, loaded.notes)
+        return True
+
+    def show(self, design: Design, path: Path | None, *, saved: bool = True) -> None:
+        """Put a design into the window."""
+        self._desk.gestures.cancel()
+        self.path = path
+        self._desk.session.open(design, saved=saved)
+        self._view.show_design(design)
+        self.named.emit()
+
+    def save(self) -> bool:
+        """Save where it was saved before, asking for a name if need be; whether it was saved."""
+        if self.path is None or not keeps_all(self.path):
+            return self.save_as()
+        return self._write(self.path)
+
+    def save_as(self) -> bool:
+        """Save under another name; whether it was saved."""
+        self._desk.gestures.cancel()
+        path = self.dialogs.save_path(self._suggested(DESIGN_SUFFIX))
+        if path is None:
+            return False
+        if not keeps_all(path):
+            if self.dialogs.wants_export(path):
+                self.export(path)
+            return False
+        return self._write(path)
+
+    def export(self, path: Path) -> bool:
+        """Write a copy in the format that the suffix of `path` stands for."""
+        from plusedit.io.files import save
+
+        return self._tried(lambda: save(self._desk.session.committed, path), path)
+
+    def export_svg(self) -> None:
+        """Ask for a name and write an SVG drawing."""
+        self._desk.gestures.cancel()
+        suggested = self._suggested(".svg")
+        path = self.dialogs.export_path(suggested, "Export SVG", "SVG drawing (*.svg)")
+        if path is not None and self.export(path):
+            self._desk.say(f"Exported {path.name}.")
+
+    def export_with(self, suffix: str, title: str, write: Callable[[Path], object]) -> None:
+        """Ask for a name with that suffix and let `write` make the file."""
+        self._desk.gestures.cancel()
+        kind = f"{suffix[1:].upper()} picture (*{suffix})"
+        path = self.dialogs.export_path(self._suggested(suffix), title, kind)
+        if path is not None and self._tried(lambda: write(path), path):
+            self._desk.say(f"Exported {path.name}.")
+
+    def read(self, path: Path, read: Callable[[], Loaded]) -> Loaded | None:
+        """What `read` gives, without the window standing still; errors are told."""
+        try:
+            return in_background(self._parent, f"Reading {path.name} …", read)
+        except CancelledError:
+            self._desk.say(f"Reading {path.name} was cancelled.")
+        except (FormatError, OSError) as error:
+            self.dialogs.error(said(error, path))
+        return None
+
+    def _loaded(self, path: Path) -> Loaded | None:
+        from plusedit.io.files import load
+
+        loaded = self.read(path, lambda: load(path))
+        if loaded is None:
+            self._forget_if_gone(path)
+        return loaded
+
+    def _write(self, path: Path) -> bool:
+        from plusedit.io.files import save
+
+        self._desk.gestures.cancel()
+        design = self._view.kept_with(self._desk.session.committed)
+        if not self._tried(lambda: save(design, path), path):
+            return False
+        self.path = path
+        self._desk.session.mark_saved()
+        self._remember(path)
+        self._desk.say(f"Saved {path.name}.")
+        return True
+
+    def _tried(self, act: Callable[[], object], path: Path) -> bool:
+        try:
+            act()
+        except (FormatError, OSError) as error:
+            self.dialogs.error(said(error, path))
+            return False
+        return True
+
+    def _remember(self, path: Path) -> None:
+        self._settings.remember_file(path)
+        self.named.emit()
+
+    def _forget_if_gone(self, path: Path) -> None:
+        if not path.exists():
+            gone = path.absolute()
+            self._settings.recent = [other for other in self._settings.recent if other != gone]
+            self.named.emit()
+
+    def _folder(self) -> Path:
+        if self.path is not None:
+            return self.path.parent
+        recent = [path.parent for path in self._settings.recent if path.parent.is_dir()]
+        return recent[0] if recent else Path.home()
+
+    def _suggested(self, suffix: str) -> Path:
+        return self._folder() / f"{stem_of(self.name)}{suffix}"
+
+
+def keeps_all(path: Path) -> bool:
+    """Whether a design loses nothing in a file of that name."""
+    from plusedit.io.files import format_of
+
+    try:
+        return format_of(path).keeps_all
+    except FormatError:
+        return True  # no format at all: saving says so
+
+
+def stem_of(name: str) -> str:
+    """The name of a file without the suffix of a design, drawing or picture."""
+    for suffix in (DESIGN_SUFFIX, ".json", ".svg", ".png"):
+        if name.lower().endswith(suffix):
+            return name[: -len(suffix)]
+    return name
+
+
+def said(error: Exception, path: Path) -> str:
+    """An error as a sentence with the name of the file."""
+    if isinstance(error, OSError):
+        return f"{path.name}: {error.strerror or error}."
+    text = str(error)
+    return text if text.endswith(".") else f"{text}."

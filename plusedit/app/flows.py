@@ -1,0 +1,115 @@
+"""What takes a question or two: a new design, importing, pictures, recovery."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtWidgets import QWidget
+
+from plusedit.app import recovery
+from plusedit.app.autosave import Autosave, Left, left_behind
+from plusedit.app.clipboard import counted, fresh
+from plusedit.app.export_dialogs import Picture, PictureDialog, Reading, ReadingDialog
+from plusedit.app.files import Files
+from plusedit.commands.shapes import AddShapes
+from plusedit.io.formats import Loaded
+from plusedit.scene.theme import THEMES
+from plusedit.views.desk import Desk
+
+USUAL_PICTURE = (1600, 1200)  # pixels
+
+
+class Flows:
+    """The longer stories of the File menu."""
+
+    def __init__(self, desk: Desk, files: Files, autosave: Autosave, parent: QWidget) -> None:
+        self._desk, self._files, self._autosave = desk, files, autosave
+        self._parent = parent
+        self.ask_version: Callable[[Left], recovery.Choice] = lambda left: recovery.ask(
+            left, desk.theme, parent
+        )
+        """which version of a recovered design to go on with"""
+
+    def new(self) -> None:
+        """An empty design, with the pen in hand."""
+        if self._files.new():
+            self._desk.gestures.choose("pen")
+
+    def import_svg(self, path: Path | None = None) -> None:
+        """Add the paths of an SVG drawing to the design, in one step."""
+        self._desk.gestures.cancel()
+        path = path or self._files.dialogs.import_path(Path.home())
+        if path is None:
+            return
+        dialog = ReadingDialog(self._parent)
+        if dialog.exec():
+            self.add_drawing(path, dialog.read())
+
+    def add_drawing(self, path: Path, reading: Reading) -> None:
+        """Add the curves of an SVG file, read in that way."""
+        loaded = self._files.read(path, lambda: read_drawing(path, reading))
+        if loaded is None:
+            return
+        import numpy as np
+
+        session = self._desk.session
+        shapes = fresh(session.committed, loaded.design.shapes.items(), np.zeros(2))
+        if not self._desk.commit(AddShapes(shapes, name=f"Import {path.name}")):
+            self._desk.say(f"Imported {counted(len(shapes))} from {path.name}.")
+            self._files.notes.emit(path.name, loaded.notes)
+
+    def export_png(self) -> None:
+        """Write a picture of the design."""
+        dialog = PictureDialog(self._parent, USUAL_PICTURE, self._desk.theme.name)
+        if dialog.exec():
+            picture = dialog.read()
+            self._files.export_with(
+                ".png", "Export picture", lambda path: self.write_picture(path, picture)
+            )
+
+    def write_picture(self, path: Path, picture: Picture) -> None:
+        """Draw the design into a file."""
+        from plusedit.io.files import write_file
+        from plusedit.views.picture import png_of
+
+        data = png_of(
+            self._desk.session.committed,
+            picture.size,
+            THEMES[picture.theme],
+            transparent=picture.transparent,
+        )
+        write_file(data, path)
+
+    def recover(self, place: Path | None = None) -> bool:
+        """Offer what crashed runs left; whether a design of theirs is in the window now."""
+        found = left_behind(place)
+        opened = False
+        for left in found:
+            if opened:
+                left.leave()
+                continue
+            opened = self._offer(left)
+        if not found:
+            self._desk.say("No design was left behind unsaved.")
+        return opened
+
+    def _offer(self, left: Left) -> bool:
+        choice = self.ask_version(left)
+        if choice == "later" or not self._files.may_discard():
+            left.leave()
+            return False
+        if choice == "recovered":
+            self._files.show(left.design, left.path, saved=False)
+            # Kept under our own name before theirs goes: it is safe at every moment.
+            self._autosave.keep()
+            left.remove()
+            return True
+        left.remove()
+        return left.path is not None and left.path.exists() and self._files.open(left.path)
+
+
+def read_drawing(path: Path, reading: Reading) -> Loaded:
+    """The curves of an SVG file. FormatError or OSError as in `io.files`."""
+    from plusedit.io.files import read_file
+    from plusedit.io.svg_reading import read_svg
+
+    return read_svg(read_file(path), path.name, reading.how, tolerance=reading.tolerance)

@@ -1,0 +1,80 @@
+"""Help: what a plus curve is, and what mouse and keys do. The keys are those of the actions."""
+
+from html import escape
+from itertools import groupby
+
+from PySide6.QtWidgets import QDialog, QTextBrowser, QVBoxLayout, QWidget
+
+from plusedit.app.actions import ActionTable
+
+IDEA = """
+<h2>What a plus curve is</h2>
+<p>A Bézier or B-spline curve blends <i>points</i>. A plus curve blends <i>straight lines</i>:
+each control line has a point P and a direction d, and over the parameter u it runs as
+L(u) = P + s (u − x) d, where x is the parameter at which the line has the most to say.
+The curve is the weighted mean of all lines, C(u) = Σ L(u) b(u).</p>
+<p>The <b>magnitude s</b> says how much directions count. At s = 0 it is the classical curve of
+the control points. As s grows the curve is drawn towards its control points and takes on the
+directions of the lines; s*, marked on the slider, is where it comes closest to the points.
+Beyond, it overshoots. The slider shows s in units of L, the length of the control polygon.</p>
+<p>A direction that you have not touched is <b>automatic</b> (hollow grips): it follows the
+neighboring points. Turn a grip and it is yours (solid); double-click the grip and it is automatic
+again.</p>
+"""
+
+MOUSE = (
+    ("Click", "Select a point, grip or curve; Shift adds, Alt goes through what lies below"),
+    ("Drag a point", "Move it. Ctrl snaps to the grid, Shift keeps to the longer axis"),
+    ("Drag a grip", "Turn the line. Ctrl snaps to 15°, Shift is a tenth as fast, Alt stretches"),
+    ("Drag on empty ground", "Select by a box"),
+    ("Double-click a grip", "Back to the automatic direction"),
+    ("Type a number while dragging", "Set it exactly; Tab goes to the next, Enter accepts"),
+    ("Escape or right click while dragging", "Everything as before"),
+    ("Wheel", "Zoom at the pointer"),
+    ("Middle drag, or Space and drag", "Pan"),
+    ("Right click", "Menu of what is selected"),
+    ("Double-click the s slider", "Measure L anew and go back to s = L / 2"),
+)
+
+
+class HelpWindow(QDialog):
+    """A page to read beside the work; it does not block the window."""
+
+    def __init__(self, table: ActionTable, parent: QWidget | None) -> None:
+        super().__init__(parent)
+        self.setWindowTitle("PlusEdit help")
+        self.page = QTextBrowser()
+        self.page.setOpenExternalLinks(False)
+        self.page.setAccessibleName("help")
+        self.page.document().setDocumentMargin(24)
+        self.page.setHtml(page_of(table))
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(self.page)
+        self.resize(620, 680)
+
+
+def page_of(table: ActionTable) -> str:
+    """The whole help as HTML."""
+    return f"{IDEA}<h2>Mouse</h2>{rows_of(MOUSE)}<h2>Keys</h2>{keys_of(table)}"
+
+
+def rows_of(rows: "tuple[tuple[str, str], ...] | list[tuple[str, str]]") -> str:
+    """Two columns: what is done, and what comes of it."""
+    lines = [
+        f'<tr><td style="padding: 3px 24px 3px 0"><b>{escape(act)}</b></td>'
+        f'<td style="padding: 3px 0">{escape(effect)}</td></tr>'
+        for act, effect in rows
+    ]
+    return f'<table cellspacing="0">{"".join(lines)}</table>'
+
+
+def keys_of(table: ActionTable) -> str:
+    """A table for each menu, of the actions that have a shortcut now."""
+    entries = [entry for entry in table if table.keys_text(entry.name)]
+    by_menu = sorted(entries, key=lambda entry: entry.menu.split("/")[0])
+    parts = []
+    for menu, members in groupby(by_menu, key=lambda entry: entry.menu.split("/")[0]):
+        rows = [(table.keys_text(entry.name), entry.title.rstrip("…")) for entry in members]
+        parts.append(f"<h3>{escape(menu or 'Elsewhere')}</h3>{rows_of(rows)}")
+    return "".join(parts)

@@ -1,0 +1,63 @@
+"""Starts the editor."""
+
+import signal
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QTimer
+from PySide6.QtGui import QIcon
+from PySide6.QtWidgets import QApplication
+
+from plusedit import __version__
+from plusedit.app import errors
+from plusedit.app.settings import Settings
+from plusedit.resources import icon_file
+
+if TYPE_CHECKING:
+    from plusedit.app.window import MainWindow
+
+
+def run(paths: list[str]) -> int:
+    """Open a window, and the first of `paths` in it; further ones get windows of their own."""
+    application = make_application(sys.argv[:1])
+    errors.install()
+    # Ctrl+C in the terminal ends the program; what was not saved is offered at the next start.
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+    from plusedit.app.window import MainWindow
+
+    window = MainWindow(Settings())
+    window.show()
+    QTimer.singleShot(0, lambda: begin(window, [Path(path) for path in paths]))
+    return application.exec()
+
+
+def make_application(arguments: list[str]) -> QApplication:
+    """The application, in our style."""
+    application = QApplication(arguments)
+    application.setApplicationName("plusedit")
+    application.setApplicationDisplayName("PlusEdit")
+    application.setApplicationVersion(__version__)
+    application.setDesktopFileName("plusedit")
+    application.setWindowIcon(QIcon(str(icon_file("plusedit"))))
+    application.setStyle("Fusion")
+    return application
+
+
+def begin(window: "MainWindow", paths: list[Path]) -> None:
+    """Offer what a crash left behind, else open files."""
+    from plusedit.app.autosave import has_left_behind
+
+    if has_left_behind() and window.flows.recover():
+        return
+    if paths:
+        window.files.open(paths[0])
+    for path in paths[1:]:
+        open_elsewhere(path)
+
+
+def open_elsewhere(path: Path) -> None:
+    """Open a file in a program of its own."""
+    from PySide6.QtCore import QProcess
+
+    QProcess.startDetached(sys.executable, ["-m", "plusedit", str(path.absolute())])

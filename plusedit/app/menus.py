@@ -1,0 +1,71 @@
+"""The menu bar and the context menu, made from the table of actions."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtWidgets import QMenu, QMenuBar, QWidget
+
+from plusedit.app.actions import ActionTable
+
+ORDER = ("File", "Edit", "Select", "Control lines", "Curve", "Arrange", "View", "Window", "Help")
+IN_CONTEXT = (
+    ("cut", "copy", "paste", "edit.duplicate", "edit.delete"),
+    ("edit.reset_directions", "edit.reverse_directions", "edit.reverse_curve"),
+    ("edit.close_curve", "edit.open_curve", "edit.close_smoothly", "edit.pass_through"),
+    ("edit.hide", "edit.lock", "edit.to_front", "edit.to_back"),
+    ("frame_selected", "frame_all"),
+)
+
+
+def fill(bar: QMenuBar, table: ActionTable) -> dict[str, QMenu]:
+    """Build all menus; those menus by path, such as "File/Open recent"."""
+    menus: dict[str, QMenu] = {}
+    entries = [entry for entry in table if entry.menu]
+    tops = dict.fromkeys([*ORDER, *(entry.menu.split("/")[0] for entry in entries)])
+    for top in tops:
+        members = [entry for entry in entries if entry.menu.split("/")[0] == top]
+        if not members:
+            continue
+        menus[top] = bar.addMenu(f"&{top}")
+        last_group = members[0].group
+        for entry in sorted(members, key=lambda each: each.group):
+            menu = _menu(menus, entry.menu)
+            if entry.group != last_group:
+                menus[top].addSeparator()
+                last_group = entry.group
+            if menu is not menus[top] and menu.menuAction() not in menus[top].actions():
+                menus[top].addMenu(menu)
+            menu.addAction(table[entry.name])
+        menus[top].aboutToShow.connect(table.refresh)
+    return menus
+
+
+def _menu(menus: dict[str, QMenu], path: str) -> QMenu:
+    """The menu of that path, made below its parent if need be."""
+    if path not in menus:
+        top, _, name = path.partition("/")
+        menus[path] = QMenu(name, menus[top])
+    return menus[path]
+
+
+def fill_recent(menu: QMenu, paths: list[Path], open_file: Callable[[Path], object]) -> None:
+    """List recent files, with their folders where names alone would be the same."""
+    menu.clear()
+    names = [path.name for path in paths]
+    for path in paths:
+        text = path.name if names.count(path.name) == 1 else f"{path.name} – {path.parent}"
+        action = menu.addAction(text.replace("&", "&&"))
+        action.setToolTip(str(path))
+        action.triggered.connect(lambda _=False, path=path: open_file(path))
+    menu.setEnabled(bool(paths))
+
+
+def context_menu(table: ActionTable, parent: QWidget) -> QMenu:
+    """The menu of a right click in the view."""
+    menu = QMenu(parent)
+    for group in IN_CONTEXT:
+        for name in group:
+            if name in table:
+                menu.addAction(table[name])
+        menu.addSeparator()
+    return menu

@@ -1,0 +1,212 @@
+"""The start page: what a plus curve is, examples with pictures, recent files."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtCore import QEvent, QSize, Qt, QTimer
+from PySide6.QtGui import QKeyEvent, QMouseEvent, QPixmap, QShowEvent
+from PySide6.QtWidgets import (
+    QFrame,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QScrollArea,
+    QVBoxLayout,
+    QWidget,
+)
+
+from plusedit.app.figure import Figure
+from plusedit.app.thumbnails import picture_of_file
+from plusedit.resources import example_files
+from plusedit.scene.theme import Theme
+from plusedit.views.live import quiet, title
+
+WIDEST = 960  # logical pixels of the page, wherever the window is wider
+PICTURE = QSize(208, 132)
+ACROSS = 4  # examples side by side
+IDEA = (
+    "A plus curve blends straight lines, where other curves blend points. "
+    "Each control line has a point that pulls the curve and a direction that steers it. "
+    "The magnitude s says how much the directions count: at 0 it is the classical Bézier or "
+    "B-spline curve, near ½ L it comes closest to its points."
+)
+
+
+class Card(QFrame):
+    """A picture with a name below it that can be clicked, or chosen with Enter."""
+
+    def __init__(self, path: Path, open_file: Callable[[Path], object]) -> None:
+        super().__init__()
+        self.path, self._open = path, open_file
+        self.setProperty("card", True)
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setCursor(Qt.CursorShape.PointingHandCursor)
+        self.setAccessibleName(f"Open {words_of(path)}")
+        self.setToolTip(str(path))
+        self.picture = QLabel()
+        self.picture.setFixedSize(PICTURE)
+        self.picture.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        name = QLabel(words_of(path))
+        name.setContentsMargins(8, 0, 8, 0)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(1, 1, 1, 8)
+        column.setSpacing(4)
+        column.addWidget(self.picture)
+        column.addWidget(name)
+        self.setFixedWidth(PICTURE.width() + 2)
+
+    def show_picture(self, theme: Theme) -> None:
+        """Draw the picture of the file."""
+        ratio = self.devicePixelRatioF()
+        picture = picture_of_file(self.path, PICTURE, theme, ratio)
+        self.picture.setPixmap(picture or QPixmap())
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        if event.button() == Qt.MouseButton.LeftButton and self.rect().contains(
+            event.position().toPoint()
+        ):
+            self._open(self.path)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Space):
+            self._open(self.path)
+        else:
+            super().keyPressEvent(event)
+
+
+def words_of(path: Path) -> str:
+    """The name of a shipped file as words."""
+    stem = path.name.split(".")[0].replace("_", " ").replace("-", " ")
+    return stem[:1].upper() + stem[1:]
+
+
+class StartPage(QScrollArea):
+    """What stands in the window while no design is open."""
+
+    def __init__(
+        self,
+        open_file: Callable[[Path], object],
+        new_curve: Callable[[], object],
+        ask: Callable[[], object],
+    ) -> None:
+        super().__init__()
+        self._open = open_file
+        self._theme: Theme | None = None
+        self._waiting: list[Card] = []
+        self._cards = [Card(path, open_file) for path in example_files()]
+        self._one_by_one = QTimer(self)
+        self._one_by_one.timeout.connect(self._draw_next)
+        self._recent = QVBoxLayout()
+        self._recent.setSpacing(4)
+        self.figure: Figure | None = None
+        self._figure_place = QVBoxLayout()
+        self.setWidgetResizable(True)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAsNeeded)
+        self.setWidget(self._page(new_curve, ask))
+
+    def set_theme(self, theme: Theme) -> None:
+        """Draw pictures in those colors, once they can be seen."""
+        self._theme = theme
+        self._waiting = list(self._cards)
+        if self.figure is not None:
+            self.figure.set_theme(theme)
+        if self.isVisible():
+            self._one_by_one.start(0)
+
+    def show_recent(self, paths: list[Path]) -> None:
+        """List these files as recent ones."""
+        while (item := self._recent.takeAt(0)) is not None:
+            if (widget := item.widget()) is not None:
+                widget.deleteLater()
+        for path in paths[:6]:
+            button = QPushButton(path.name)
+            button.setProperty("link", True)
+            button.setToolTip(str(path))
+            button.setCursor(Qt.CursorShape.PointingHandCursor)
+            button.clicked.connect(lambda _=False, path=path: self._open(path))
+            self._recent.addWidget(button, 0, Qt.AlignmentFlag.AlignLeft)
+        if not paths:
+            self._recent.addWidget(quiet("Files that you open or save are listed here."))
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        # Pictures come after the first frame: the window is there at once.
+        self._one_by_one.start(30)
+
+    def event(self, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.Hide:
+            self._one_by_one.stop()
+        return super().event(event)
+
+    def _draw_next(self) -> None:
+        if self._theme is None or not self.isVisible():
+            self._one_by_one.stop()
+            return
+        if self.figure is None:
+            self.figure = Figure()
+            self.figure.set_theme(self._theme)
+            self._figure_place.addWidget(self.figure)
+        elif self._waiting:
+            self._waiting.pop(0).show_picture(self._theme)
+        else:
+            self._one_by_one.stop()
+        self._one_by_one.setInterval(0)
+
+    def _page(self, new_curve: Callable[[], object], ask: Callable[[], object]) -> QWidget:
+        column = QVBoxLayout()
+        column.setSpacing(24)
+        column.addLayout(self._top(new_curve, ask))
+        column.addWidget(title("Examples"))
+        column.addLayout(self._examples())
+        column.addStretch(1)
+        inside = QWidget()
+        inside.setMaximumWidth(WIDEST)
+        inside.setLayout(column)
+        page = QWidget()
+        row = QHBoxLayout(page)
+        row.setContentsMargins(32, 32, 32, 32)
+        row.addStretch(1)
+        row.addWidget(inside, 100)
+        row.addStretch(1)
+        return page
+
+    def _top(self, new_curve: Callable[[], object], ask: Callable[[], object]) -> QHBoxLayout:
+        head = QLabel("PlusEdit")
+        font = head.font()
+        font.setPointSizeF(font.pointSizeF() * 2.2)
+        font.setWeight(font.Weight.DemiBold)
+        head.setFont(font)
+        draw, open_ = QPushButton("New curve"), QPushButton("Open…")
+        draw.setProperty("primary", True)
+        draw.setToolTip("Take the pen and draw on an empty canvas")
+        draw.clicked.connect(lambda: new_curve())
+        open_.clicked.connect(lambda: ask())
+        buttons = QHBoxLayout()
+        buttons.setSpacing(8)
+        buttons.addWidget(draw)
+        buttons.addWidget(open_)
+        buttons.addStretch(1)
+        left = QVBoxLayout()
+        left.setSpacing(16)
+        left.addWidget(head)
+        left.addWidget(quiet(IDEA))
+        left.addLayout(buttons)
+        left.addSpacing(8)
+        left.addWidget(title("Recent"))
+        left.addLayout(self._recent)
+        left.addStretch(1)
+        row = QHBoxLayout()
+        row.setSpacing(32)
+        row.addLayout(left, 4)
+        row.addLayout(self._figure_place, 5)
+        return row
+
+    def _examples(self) -> QGridLayout:
+        grid = QGridLayout()
+        grid.setSpacing(16)
+        for number, card in enumerate(self._cards):
+            grid.addWidget(card, number // ACROSS, number % ACROSS)
+        grid.setColumnStretch(ACROSS, 1)
+        return grid

@@ -1,0 +1,43 @@
+"""Small pictures of designs, drawn as the window draws them."""
+
+from dataclasses import replace
+from pathlib import Path
+
+from PySide6.QtCore import QSize
+from PySide6.QtGui import QPixmap
+
+from plusedit.document.design import Design
+from plusedit.io.formats import FormatError
+from plusedit.scene.options import options_of, view_tree
+from plusedit.scene.theme import Theme
+from plusedit.views.picture import image_of
+
+REDUCED = 2  # pictures are drawn for twice their size, so that lines and dots are finer
+
+
+def picture_of(design: Design, size: QSize, theme: Theme, pixel_ratio: float = 1.0) -> QPixmap:
+    """A picture of a design, `size` logical pixels large."""
+    large = (size.width() * REDUCED, size.height() * REDUCED)
+    image = image_of(without_words(design), large, theme, ratio=pixel_ratio / REDUCED)
+    image.setDevicePixelRatio(pixel_ratio)
+    return QPixmap.fromImage(image)
+
+
+def without_words(design: Design) -> Design:
+    """The design without names beside its curves: in a small picture they can't be read."""
+    kept = options_of(design.view)
+    options = replace(kept, overlays=kept.overlays - {"names"})
+    return replace(design, view=view_tree(options, old=design.view))
+
+
+def picture_of_file(
+    path: Path, size: QSize, theme: Theme, pixel_ratio: float = 1.0
+) -> QPixmap | None:
+    """A picture of the design in a file, or None if it can't be read."""
+    from plusedit.io.files import load
+
+    try:
+        design = load(path).design
+    except (FormatError, OSError):
+        return None
+    return picture_of(design, size, theme, pixel_ratio)

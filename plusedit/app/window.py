@@ -1,0 +1,305 @@
+"""The main window: the view in the middle, panels around it, s along the bottom."""
+
+from pathlib import Path
+
+from PySide6.QtCore import QEvent, QObject, QPoint, Qt
+from PySide6.QtGui import (
+    QCloseEvent,
+    QDragEnterEvent,
+    QDropEvent,
+    QGuiApplication,
+    QKeyEvent,
+)
+from PySide6.QtWidgets import (
+    QAbstractSpinBox,
+    QApplication,
+    QDialog,
+    QKeySequenceEdit,
+    QLineEdit,
+    QMainWindow,
+    QMessageBox,
+    QStackedWidget,
+    QTextEdit,
+    QToolBar,
+    QVBoxLayout,
+    QWidget,
+)
+
+from plusedit import __version__
+from plusedit.app import menus
+from plusedit.app.actions import ActionTable, Entry
+from plusedit.app.autosave import Autosave
+from plusedit.app.clipboard import Clipboard
+from plusedit.app.docks import Docks
+from plusedit.app.entries import all_entries
+from plusedit.app.files import Files
+from plusedit.app.flows import Flows
+from plusedit.app.notes_bar import NotesBar
+from plusedit.app.settings import Settings
+from plusedit.app.start_page import StartPage
+from plusedit.app.status import Status
+from plusedit.app.toolbar import make_toolbar
+from plusedit.app.view_state import ViewState
+from plusedit.document.session import Session
+from plusedit.interaction.gesture import Gestures
+from plusedit.scene.camera import PlaneCamera
+from plusedit.views.canvas import PlaneCanvas
+from plusedit.views.desk import Desk
+from plusedit.views.icons import refresh_icons
+from plusedit.views.magnitude_bar import MagnitudeBar
+
+TYPED_INTO = (QLineEdit, QAbstractSpinBox, QTextEdit, QKeySequenceEdit)
+USUAL_SIZE, LEAST_SIZE = (1280, 820), (900, 600)  # logical pixels
+
+
+class MainWindow(QMainWindow):
+    """Puts the parts together; what they do is theirs."""
+
+    def __init__(self, settings: Settings, autosave_folder: Path | None = None) -> None:
+        super().__init__()
+        self.settings = settings
+        self.session = Session()
+        self.gestures = Gestures(self.session, PlaneCamera((800.0, 600.0)))
+        self.gestures.new_curves = settings.new_curves
+        self.desk = Desk(self.session, self.gestures)
+        self.canvas = PlaneCanvas(self.session, self.gestures)
+        self.view = ViewState(self.desk, self.canvas, settings)
+        self.files = Files(self.desk, settings, self, self.view)
+        self.autosave = Autosave(self.session, lambda: self.files.path, autosave_folder)
+        self.flows = Flows(self.desk, self.files, self.autosave, self)
+        self.clipboard = Clipboard(self.desk)
+        self.magnitude = MagnitudeBar(self.desk)
+        self.notes, self.status = NotesBar(), Status(self.desk)
+        self.start_page = StartPage(self.files.open, self.flows.new, self.files.open)
+        self.stack = QStackedWidget()
+        self._lay_out()
+        self.docks = Docks(self, self.desk)
+        self._add_actions()
+        self._listen()
+        self._restore()
+
+    # How it is put together
+
+    def _lay_out(self) -> None:
+        self.setMinimumSize(*LEAST_SIZE)
+        self.resize(*USUAL_SIZE)
+        self.setAcceptDrops(True)
+        self.stack.addWidget(self.canvas)
+        self.stack.addWidget(self.start_page)
+        middle = QWidget()
+        column = QVBoxLayout(middle)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(self.notes)
+        column.addWidget(self.stack, 1)
+        self.setCentralWidget(middle)
+        self.setStatusBar(self.status)
+        bottom = QToolBar("Magnitude s")
+        bottom.setObjectName("magnitude")
+        bottom.setMovable(False)
+        bottom.setContextMenuPolicy(Qt.ContextMenuPolicy.PreventContextMenu)
+        bottom.addWidget(self.magnitude)
+        self.addToolBar(Qt.ToolBarArea.BottomToolBarArea, bottom)
+
+    def _add_actions(self) -> None:
+        self.actions_table = ActionTable(self, self.canvas)
+        self.actions_table.add(all_entries(self))
+        self.actions_table.add(
+            Entry(
+                f"panel.{name}",
+                dock.windowTitle(),
+                "Window",
+                lambda dock=dock: dock.setVisible(dock.isHidden()),  # type: ignore[misc]
+                checked=lambda dock=dock: not dock.isHidden(),  # type: ignore[misc]
+            )
+            for name, dock in self.docks.by_name.items()
+        )
+        self.actions_table.set_shortcuts(self.settings.shortcuts)
+        self.tool_bar = make_toolbar(self.actions_table, self.gestures)
+        self.addToolBar(self.tool_bar)
+        self._menus = menus.fill(self.menuBar(), self.actions_table)
+        self._recent = menus.QMenu("Open recent", self)
+        self._menus["File"].insertMenu(self.actions_table["save"], self._recent)
+
+    def _listen(self) -> None:
+        self.session.stepped.listen(self._stepped)
+        self.session.changed.listen(lambda old, new: self._leave_start_page(len(new)))
+        self.files.named.listen(self._named)
+        self.files.notes.listen(self.notes.tell)
+        self.view.changed.listen(self.actions_table.refresh)
+        self.gestures.tool_changed.listen(lambda _: self.actions_table.refresh())
+        self.desk.theme_changed.listen(lambda theme: self._show_theme())
+        self.canvas.pointer_moved.connect(
+            lambda x, y: self.status.point_at(x, y, self.canvas.camera.projection)
+        )
+        self.canvas.pointer_left.connect(self.status.point_nowhere)
+        self.canvas.context_menu_requested.connect(self._show_context_menu)
+        self.canvas.installEventFilter(self)
+        QGuiApplication.styleHints().colorSchemeChanged.connect(self._desktop_changed)
+
+    def _restore(self) -> None:
+        self.restoreGeometry(self.settings.bytes_of("geometry"))
+        self.docks.restore(self.settings.bytes_of("state"))
+        self.view.set_look(self.settings.look)
+        self._named()
+        self._stepped()
+        self.show_start_page()
+
+    # What menus ask for
+
+    def undo(self) -> None:
+        """One step back, once nothing is under way."""
+        self.magnitude.slider.finish()
+        if not self.gestures.cancel():
+            self.session.undo()
+
+    def redo(self) -> None:
+        """One step on, once nothing is under way."""
+        self.magnitude.slider.finish()
+        self.gestures.cancel()
+        self.session.redo()
+
+    def choose_tool(self, name: str) -> None:
+        """Take a tool in hand."""
+        self.show_view()
+        self.gestures.choose(name)
+        self.canvas.setFocus()
+
+    def show_view(self) -> None:
+        """Show the view, with the panels around it."""
+        if self.stack.currentWidget() is not self.canvas:
+            self.stack.setCurrentWidget(self.canvas)
+            self.docks.bring_back()
+        self.canvas.setFocus()
+
+    def show_start_page(self) -> None:
+        """Show the start page in place of the view."""
+        self.gestures.cancel()
+        self.docks.put_away()
+        self.start_page.show_recent([path for path in self.settings.recent if path.exists()])
+        self.stack.setCurrentWidget(self.start_page)
+
+    def show_palette(self) -> None:
+        """The command palette."""
+        from plusedit.app.palette import Palette
+
+        self.gestures.cancel()
+        self.actions_table.refresh()
+        self.palette_window = Palette(self.actions_table, self)
+        self.palette_window.show()
+        self.palette_window.typed.setFocus()
+
+    def show_preferences(self) -> None:
+        """The preferences; what was chosen takes effect at once."""
+        from plusedit.app.preferences import Preferences
+
+        self.gestures.cancel()
+        dialog = Preferences(self.settings, self.actions_table, self)
+        if dialog.exec() == QDialog.DialogCode.Accepted:
+            self.take_settings()
+
+    def take_settings(self) -> None:
+        """Do as the settings say now."""
+        self.view.set_look(self.settings.look)
+        self.gestures.new_curves = self.settings.new_curves
+        self.tool_bar.kinds.show_kind(self.gestures.new_curves)  # type: ignore[attr-defined]
+        self.gestures.grid_step = self.settings.grid_step or self.canvas.grid_step
+        self.actions_table.set_shortcuts(self.settings.shortcuts)
+
+    def show_help(self) -> None:
+        """Mouse, keys, and what a plus curve is, in a window beside this one."""
+        from plusedit.app.help_window import HelpWindow
+
+        self.help_window = HelpWindow(self.actions_table, self)
+        self.help_window.show()
+
+    def show_about(self) -> None:
+        """Name, version, and what it is."""
+        QMessageBox.about(
+            self,
+            "About PlusEdit",
+            f"<h3>PlusEdit {__version__}</h3><p>An editor for plus curves: free-form curves "
+            "shaped by control lines, points with a direction.</p>",
+        )
+
+    def toggle_full_screen(self) -> None:
+        """The whole screen, or a window again."""
+        self.setWindowState(self.windowState() ^ Qt.WindowState.WindowFullScreen)
+
+    # What it hears
+
+    def _stepped(self) -> None:
+        for name, label in (("undo", self.session.undo_label), ("redo", self.session.redo_label)):
+            action = self.actions_table[name]
+            word = name.capitalize()
+            action.setText(f"{word} {label}" if label else word)
+            action.setEnabled(label is not None)
+            action.setToolTip(f"{action.text()}  ({self.actions_table.keys_text(name)})")
+        self.setWindowModified(not self.session.is_saved)
+
+    def _named(self) -> None:
+        self.setWindowTitle(f"{self.files.name}[*] — PlusEdit")
+        self.setWindowFilePath("" if self.files.path is None else str(self.files.path))
+        self.setWindowTitle(f"{self.files.name}[*] — PlusEdit")
+        menus.fill_recent(self._recent, self.settings.recent, self.files.open)
+        if self.files.path is not None or self.session.undo_label:
+            self.show_view()
+        self.notes.hide()
+        self.magnitude.forget()
+
+    def _leave_start_page(self, shapes: int) -> None:
+        if shapes and not self.session.is_previewing:
+            self.show_view()
+
+    def _show_theme(self) -> None:
+        self.start_page.set_theme(self.desk.theme)
+        refresh_icons(self)
+        self.magnitude.refresh()
+
+    def _desktop_changed(self) -> None:
+        if self.settings.look == "system":
+            self.view.set_look("system")
+
+    def _show_context_menu(self, at: QPoint) -> None:
+        self.actions_table.refresh()
+        menu = menus.context_menu(self.actions_table, self)
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        menu.popup(self.canvas.mapToGlobal(at))
+
+    # What Qt tells
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if watched is self.canvas and event.type() == QEvent.Type.Enter:
+            # Keys go where the pointer is, unless something is being typed elsewhere.
+            focus = QApplication.focusWidget()
+            is_typing = isinstance(focus, TYPED_INTO)
+            if focus is not None and focus.window() is self and not is_typing:
+                self.canvas.setFocus(Qt.FocusReason.MouseFocusReason)
+        return super().eventFilter(watched, event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Escape:
+            self.show_view() if len(self.session.design) else self.canvas.setFocus()
+            return
+        super().keyPressEvent(event)
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        if any(url.isLocalFile() for url in event.mimeData().urls()):
+            event.acceptProposedAction()
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        paths = [Path(url.toLocalFile()) for url in event.mimeData().urls() if url.isLocalFile()]
+        if paths:
+            event.acceptProposedAction()
+            self.files.open(paths[0])
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        self.magnitude.slider.finish()
+        if not self.files.may_discard():
+            event.ignore()
+            return
+        self.settings.keep_bytes("geometry", self.saveGeometry())
+        self.settings.keep_bytes("state", self.docks.state())
+        self.settings.sync()
+        self.autosave.close()
+        event.accept()

@@ -1,0 +1,60 @@
+"""What every panel is given: the session, a way to edit it, and a way to speak."""
+
+from collections.abc import Callable, Mapping
+
+from plusedit.document.design import EditError
+from plusedit.document.selection import Selection
+from plusedit.document.session import Edit, Session
+from plusedit.document.shape import ShapeId
+from plusedit.events import Event
+from plusedit.geometry.curve import PlusCurve
+from plusedit.interaction.gesture import Gestures
+from plusedit.scene.theme import LIGHT, Theme
+
+
+class Desk:
+    """The session as panels see it. They hold no data: they show the design and send commands."""
+
+    def __init__(self, session: Session, gestures: Gestures) -> None:
+        self.session = session
+        self.gestures = gestures
+        self.said: Event[str] = Event()
+        """a sentence for the status bar"""
+        self.theme: Theme = LIGHT
+        self.theme_changed: Event[Theme] = Event()
+
+    def commit(self, edit: Edit) -> str:
+        """Make `edit` a step of the history; why it can't be done, or an empty text."""
+        self.gestures.cancel()
+        return self._tried(lambda: self.session.commit(edit))
+
+    def preview(self, edit: Edit) -> str:
+        """Show `edit` on top of the design; why it can't be done, or an empty text."""
+        return self._tried(lambda: self.session.preview(edit))
+
+    def select(self, selection: Selection) -> None:
+        """Select something, after whatever is under way has been dropped."""
+        self.gestures.cancel()
+        self.session.select(selection)
+
+    def say(self, sentence: str) -> None:
+        """Show a sentence in the status bar."""
+        self.said.emit(sentence)
+
+    def set_theme(self, theme: Theme) -> None:
+        """Tell everyone who draws of another theme."""
+        self.theme = theme
+        self.theme_changed.emit(theme)
+
+    def selected_curves(self) -> Mapping[ShapeId, PlusCurve]:
+        """The curves among the selected shapes, back to front."""
+        chosen = self.session.selection.shapes
+        return {i: curve for i, curve in self.session.design.curves() if i in chosen}
+
+    def _tried(self, act: Callable[[], None]) -> str:
+        try:
+            act()
+        except EditError as error:
+            self.say(str(error))
+            return str(error)
+        return ""

@@ -1,0 +1,146 @@
+"""The bar of s, always in sight: how strongly the control lines of the chosen curves pull.
+
+The slider shows s / L. L, the length of the control polygon, is measured when a curve is first
+met and when the slider is reset, and remembered in between: if it followed every drag of a
+point, s / L would change though nobody touched s.
+"""
+
+from collections.abc import Mapping
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QHBoxLayout, QLabel
+
+from plusedit.commands.curves import SetMagnitude
+from plusedit.document.shape import ShapeId
+from plusedit.geometry.curve import PlusCurve
+from plusedit.geometry.magnitude import best_s, polygon_length
+from plusedit.views.desk import Desk
+from plusedit.views.fields import NumberField
+from plusedit.views.live import LiveWidget, common
+from plusedit.views.magnitude_slider import STEP, MagnitudeSlider
+
+RESET = 0.5  # s / L that a double-click goes back to
+NAMED = 1  # curves that are called by name
+
+
+class MagnitudeBar(LiveWidget):
+    """Slider and number fields for s of the selected curves, of all visible ones if none is."""
+
+    def __init__(self, desk: Desk) -> None:
+        super().__init__(desk)
+        self._lengths: dict[ShapeId, float] = {}
+        self.slider = MagnitudeSlider()
+        self.ratio_field = NumberField("s / L", self._set_ratio, step=STEP, digits=4)
+        self.s_field = NumberField("s", self._set_s, step=0.1, digits=5)
+        self._what = QLabel()
+        self._what.setProperty("quiet", True)
+        self._lay_out()
+        self.slider.moved.connect(self._preview)
+        self.slider.settled.connect(self._settle)
+        self.slider.dropped.connect(desk.session.abort)
+        self.slider.reset_asked.connect(self.reset)
+        self._moved: SetMagnitude | None = None
+
+    def _lay_out(self) -> None:
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(8)
+        row.addWidget(self._what)
+        row.addWidget(self.slider, 1)
+        for text, field in (("s / L", self.ratio_field), ("s", self.s_field)):
+            label = QLabel(text)
+            label.setBuddy(field)
+            label.setProperty("quiet", True)
+            field.setFixedWidth(76)
+            field.setAlignment(Qt.AlignmentFlag.AlignRight)
+            row.addSpacing(4)
+            row.addWidget(label)
+            row.addWidget(field)
+
+    def targets(self) -> Mapping[ShapeId, PlusCurve]:
+        """The curves that the bar acts on: editable ones, as they are on the screen."""
+        design = self.desk.session.design
+        chosen = self.desk.session.selection.shapes
+        curves = {i: curve for i, curve in design.curves() if design[i].editable}
+        picked = {i: curve for i, curve in curves.items() if i in chosen}
+        return picked if chosen else curves
+
+    def forget(self) -> None:
+        """Another design was opened: its L are measured when they are needed."""
+        self._lengths = {}
+        self._soon()
+
+    def length(self, shape_id: ShapeId, curve: PlusCurve) -> float:
+        """L of a curve as it was when it was first met, or when the slider was last reset."""
+        if shape_id not in self._lengths:
+            self._lengths[shape_id] = polygon_length(curve)
+        return self._lengths[shape_id]
+
+    def reset(self) -> None:
+        """Measure L anew and put s back to half of it."""
+        targets = self.targets()
+        for shape_id, curve in targets.items():
+            self._lengths[shape_id] = polygon_length(curve)
+        self.desk.commit(self._edit(RESET))
+        self._soon()
+
+    def refresh(self) -> None:
+        self.slider.theme = self.desk.theme
+        design = self.desk.session.design
+        self._lengths = {i: length for i, length in self._lengths.items() if i in design}
+        targets = self.targets()
+        for widget in (self.slider, self.ratio_field, self.s_field):
+            widget.setEnabled(bool(targets))
+        self._what.setText(self._named(targets))
+        ratios = [
+            curve.s / length if (length := self.length(i, curve)) else 0.0
+            for i, curve in targets.items()
+        ]
+        ratio = common(round(value, 9) for value in ratios)
+        self.slider.show_ratio(ratio, self._best(targets))
+        empty = "mixed" if targets else ""
+        self.ratio_field.show_value(ratio, mixed=empty)
+        self.s_field.show_value(common(c.s for c in targets.values()), mixed=empty)
+        self.slider.update()
+
+    def _best(self, targets: Mapping[ShapeId, PlusCurve]) -> float | None:
+        """s* / L of a single curve; of several each has its own, and none is shown."""
+        if len(targets) != 1:
+            return None
+        (shape_id, curve) = next(iter(targets.items()))
+        best, length = best_s(curve), self.length(shape_id, curve)
+        return best / length if best is not None and length else None
+
+    def _named(self, targets: Mapping[ShapeId, PlusCurve]) -> str:
+        if not targets:
+            return "No curve"
+        if len(targets) == NAMED:
+            name = self.desk.session.design[next(iter(targets))].name
+            return name if len(name) <= 20 else f"{name[:19]}…"
+        if self.desk.session.selection.shapes:
+            return f"{len(targets)} curves"
+        return f"All {len(targets)} curves"
+
+    def _edit(self, ratio: float) -> SetMagnitude:
+        lengths = {i: self.length(i, curve) for i, curve in self.targets().items()}
+        return SetMagnitude({i: ratio * length for i, length in lengths.items() if length})
+
+    def _preview(self, ratio: float) -> None:
+        if self._moved is None:
+            self.desk.gestures.cancel()
+        self._moved = self._edit(ratio)
+        if not self.desk.preview(self._moved):
+            # The knob is under the pointer now, whatever the panels wait for.
+            self.slider.show_ratio(ratio, self.slider.best)
+
+    def _settle(self) -> None:
+        edit, self._moved = self._moved, None
+        if edit is not None:
+            self.desk.commit(edit)
+        self._soon()
+
+    def _set_ratio(self, ratio: float) -> str:
+        return self.desk.commit(self._edit(ratio))
+
+    def _set_s(self, value: float) -> str:
+        return self.desk.commit(SetMagnitude(dict.fromkeys(self.targets(), value)))

@@ -1,0 +1,53 @@
+"""The Inspector: the numbers of whatever is selected, to be read and typed."""
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QScrollArea, QVBoxLayout, QWidget
+
+from plusedit.views.desk import Desk
+from plusedit.views.line_form import LineForm
+from plusedit.views.live import LiveWidget, quiet, rule
+from plusedit.views.panels import panel
+from plusedit.views.shape_form import ShapeForm
+
+EMPTY = "Nothing is selected.\n\nClick a curve to see its numbers, or press P and draw one."
+
+
+@panel("inspector", title="Inspector", area="right", order=1)
+class Inspector(LiveWidget):
+    """Shape and control lines of the selection; each edit is one undo step."""
+
+    def __init__(self, desk: Desk) -> None:
+        super().__init__(desk)
+        self.setMinimumWidth(232)
+        self._empty = quiet(EMPTY)
+        self._shape = ShapeForm(desk)
+        self._rule = rule()
+        self._lines = LineForm(desk)
+        inside = QWidget()
+        inside.setProperty("panel", True)
+        inside.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        column = QVBoxLayout(inside)
+        column.setContentsMargins(12, 12, 12, 12)
+        column.setSpacing(12)
+        for part in (self._empty, self._lines, self._rule, self._shape):
+            column.addWidget(part)
+        column.addStretch(1)
+        area = QScrollArea()
+        area.setWidget(inside)
+        area.setWidgetResizable(True)
+        area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        around = QVBoxLayout(self)
+        around.setContentsMargins(0, 0, 0, 0)
+        around.addWidget(area)
+
+    def refresh(self) -> None:
+        session = self.desk.session
+        shapes = {i: s for i, s in session.design.shapes.items() if i in session.selection.shapes}
+        curves = self.desk.selected_curves()
+        self._empty.setVisible(not shapes)
+        self._shape.setVisible(bool(shapes))
+        targets = {i: rows for i, rows in session.selection.by_shape().items() if i in curves}
+        self._rule.setVisible(bool(targets))
+        if shapes:
+            self._shape.show_shapes(shapes)
+        self._lines.show_lines(targets, dict(curves), self.desk.gestures.grid_step)
