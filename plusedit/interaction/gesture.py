@@ -33,6 +33,8 @@ from plusedit.scene.options import ViewOptions
 
 DRAG_STARTS_AT = 3.0  # pixels; a press and release within it is a click
 
+FIRST_TOOL = "select"
+
 AXES = ("X", "Y", "Z")
 
 
@@ -56,7 +58,7 @@ class _Running:
 class Gestures:
     """Turns pointers into drags, clicks, previews and steps of a session."""
 
-    def __init__(self, session: Session, camera: Camera, tool: str = "select") -> None:
+    def __init__(self, session: Session, camera: Camera, tool: str = FIRST_TOOL) -> None:
         self.feedback: Event[Feedback] = Event()
         self.tool_changed: Event[str] = Event()
         self.panned: Event[float, float] = Event()
@@ -141,12 +143,18 @@ class Gestures:
 
     def takes(self, key: str, held: Held = Held.NONE) -> bool:
         """Whether `key` would do something here, so that no shortcut may take it."""
-        key = _name(key)
-        if held & (Held.CTRL | Held.ALT):
-            return False
+        key, chord = _name(key), bool(held & (Held.CTRL | Held.ALT))
         if self.is_busy:
-            return key in ("Enter", "Escape", *AXES) or NOTHING_TYPED.after(key) is not None
-        return key in self._tool.keys(self.stage())
+            # Ctrl and Alt are held to snap and to stretch; only undo is never meant for a drag.
+            means = key in ("Enter", "Escape", *AXES) or NOTHING_TYPED.after(key) is not None
+            return means and not (chord and key == "Z")
+        if chord:
+            return False
+        return key in self._tool.keys(self.stage()) or self._leaves_tool(key)
+
+    def _leaves_tool(self, key: str) -> bool:
+        """Whether the key goes back to the first tool, the chosen one having no use for it."""
+        return key == "Escape" and self._tool_name != FIRST_TOOL
 
     def key(self, key: str, held: Held = Held.NONE) -> bool:
         """A key was pressed; true if it was meant for the drag or the tool."""
@@ -158,6 +166,8 @@ class Gestures:
         elif self._pressed is not None:
             if key == "Escape":
                 self._pressed = None
+        elif key not in self._tool.keys(self.stage()):
+            self.choose(FIRST_TOOL)
         else:
             self.perform_by(lambda: self._tool.key(key, self.stage()))
             self._look_again()

@@ -77,7 +77,9 @@ class Outlines:
     shapes: tuple[ShapeId, ...]
 
 
-def handles_under(at: Floats, stage: Stage, reach: float = REACH) -> list[Hit]:
+def handles_under(
+    at: Floats, stage: Stage, reach: float = REACH, *, selected_first: bool = True
+) -> list[Hit]:
     """Dots and grips within `reach` pixels: nearest first, the selected first among equals."""
     shapes = handle_shapes(stage.design, stage.selection, stage.options)
     field = field_of(stage.design, shapes, stage.camera)
@@ -93,7 +95,7 @@ def handles_under(at: Floats, stage: Stage, reach: float = REACH) -> list[Hit]:
         for row in np.flatnonzero(distances <= reach)
     ]
     order = {shape_id: -place for place, shape_id in enumerate(field.shapes)}
-    lines = stage.selection.lines
+    lines = stage.selection.lines if selected_first else frozenset()
     return sorted(
         found,
         key=lambda hit: (
@@ -126,8 +128,9 @@ def curves_under(at: Floats, stage: Stage, reach: float = REACH) -> list[Hit]:
 
 
 def all_under(at: Floats, stage: Stage, reach: float = REACH) -> list[Hit]:
-    """Everything within reach in the order in which a click takes it."""
-    return handles_under(at, stage, reach) + curves_under(at, stage, reach)
+    """Everything within reach in an order that does not depend on what is selected."""
+    dots = handles_under(at, stage, reach, selected_first=False)
+    return dots + curves_under(at, stage, reach)
 
 
 def under(at: Floats, stage: Stage, reach: float = REACH) -> Hit | None:

@@ -71,13 +71,15 @@ class Slowed:
 
     speed: float = 1.0
     offset: float = 0.0
+    before: float = 0.0
 
     def of(self, value: float, *, slow: bool) -> float:
-        """What stands at `value`; from here on it is slow or not."""
+        """What stands at `value`; on the way there it was slow or not."""
         speed = SLOW if slow else 1.0
         if speed != self.speed:
-            self.offset += (self.speed - speed) * value
+            self.offset += (self.speed - speed) * self.before
             self.speed = speed
+        self.before = value
         return value * self.speed + self.offset
 
 
