@@ -38,27 +38,26 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     """Everything is worked out before the first byte is written."""
     from plusedit.io.files import load, read_file, shown_name, write_file
-    from plusedit.io.json_text import encode, to_bytes
+    from plusedit.io.json_text import encode, shown, to_bytes
     from plusedit.io.samples import everywhere, left_out, places_in, samples
 
     design = load(arguments.design).design
     if arguments.at is None:
         places = everywhere(design, arguments.count)
-        for shape_id in left_out(design, places):
-            kind = getattr(design[shape_id].geometry, "kind", "")
-            print(
-                f"{design[shape_id].name} is left out: no {kind} can be sampled yet",
-                file=sys.stderr,
-            )
     else:
         at = Path(arguments.at)
         places = places_in(read_file(at), shown_name(at), design)
-    data = to_bytes(encode(samples(design, places, arguments.derivatives)) + "\n")
+    tree = samples(design, shown_name(Path(arguments.design)), places, arguments.derivatives)
+    data = to_bytes(encode(tree) + "\n")
     if arguments.out is None:
         sys.stdout.buffer.write(data)
     else:
         _refuse_input(arguments)
         write_file(data, arguments.out)
+    if arguments.at is None:
+        for shape_id in left_out(design, places):
+            name = shown(design[shape_id].name)
+            print(f"{name} is left out: only curves can be sampled yet", file=sys.stderr)
     return 0
 
 

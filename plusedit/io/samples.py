@@ -7,6 +7,7 @@ import numpy as np
 from plusedit.document.design import Design
 from plusedit.document.shape import Json, NotDrawn, Shape, ShapeId, Tree
 from plusedit.geometry.arrays import Floats
+from plusedit.geometry.curve import PlusCurve
 from plusedit.io.fields import numbers, object_of, required, within
 from plusedit.io.formats import FormatError
 from plusedit.io.json_text import parse, shown
@@ -34,12 +35,17 @@ def places_in(data: bytes, name: str, design: Design) -> Places:
     return places
 
 
-def samples(design: Design, places: Places, highest: int) -> Tree:
+def samples(design: Design, name: str, places: Places, highest: int) -> Tree:
     """Of each shape the parameters, the points, and the derivatives up to the `highest`.
 
-    FormatError if a result is beyond what a double can hold.
+    FormatError, with the `name` of the design's file, if a result is beyond a double.
     """
-    return {"shapes": {i: _of_shape(design, i, u, highest) for i, u in places.items()}}
+    shapes: dict[str, Json] = {}
+    with within(name):
+        for shape_id, u in places.items():
+            with within(f"shape {shown(shape_id)}"):
+                shapes[shape_id] = _of_curve(design.curve(shape_id), u, highest)
+    return {"shapes": shapes}
 
 
 def left_out(design: Design, places: Places) -> list[ShapeId]:
@@ -64,14 +70,14 @@ def _check_curve(shape: Shape) -> None:
         raise FormatError(f"a {shape.geometry.kind} can't be sampled yet")
 
 
-def _of_shape(design: Design, shape_id: ShapeId, u: Floats, highest: int) -> Tree:
+def _of_curve(curve: PlusCurve, u: Floats, highest: int) -> Tree:
     with np.errstate(all="ignore"):
-        found = design.curve(shape_id).derivatives(u, highest=highest)
+        found = curve.derivatives(u, highest=highest)
     tree: dict[str, Json] = {"u": u.tolist()}
     for key, values in zip(KEYS, found, strict=False):
         finite = np.isfinite(values).all(axis=1)
         if not finite.all():
             at = float(u[int((~finite).argmax())])
-            raise FormatError(f"shape {shown(shape_id)}: {key} is beyond a double at u = {at}")
+            raise FormatError(f"{key}: is beyond a double at u = {at}")
         tree[key] = values.tolist()
     return tree

@@ -1,0 +1,169 @@
+"""`plusedit sample`: numbers for scripts, or one line that says why not."""
+
+import json
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose, assert_array_equal
+
+from plusedit.__main__ import main
+from plusedit.io.files import load, save
+from tests.designs import BOW, DOCUMENT, WING, a_design
+
+
+@pytest.fixture
+def bow(tmp_path):
+    """A file with the curves wing and bow."""
+    save(a_design(), tmp_path / "bow.json")
+    return tmp_path / "bow.json"
+
+
+@pytest.fixture
+def sampled(capsys):
+    """What `plusedit sample` says, as a tree."""
+
+    def run(*words):
+        assert main(["sample", *map(str, words)]) == 0
+        return json.loads(capsys.readouterr().out)["shapes"]
+
+    return run
+
+
+@pytest.fixture
+def refused(capsys):
+    """Why `plusedit sample` refuses."""
+
+    def run(*words):
+        assert main(["sample", *map(str, words)]) == 2
+        out, complaint = capsys.readouterr()
+        assert out == ""
+        assert complaint.count("\n") == 1
+        return complaint.strip()
+
+    return run
+
+
+@pytest.fixture
+def at(tmp_path):
+    """A file of parameters."""
+
+    def write(tree):
+        path = tmp_path / "at.json"
+        path.write_text(tree if isinstance(tree, str) else json.dumps(tree))
+        return path
+
+    return write
+
+
+def test_every_curve_is_sampled_evenly(bow, sampled):
+    shapes = sampled(bow, "--count", 5)
+    assert set(shapes) == {WING, BOW}
+    assert shapes[WING]["u"] == [0.0, 0.25, 0.5, 0.75, 1.0]
+    assert np.shape(shapes[WING]["position"]) == (5, 2)
+
+
+def test_numbers_are_those_of_the_library_to_the_last_bit(bow, sampled):
+    found = sampled(bow, "--count", 33)[WING]
+    curve = load(bow).design.curve(WING)
+    for key, values in zip(("position", "d1", "d2"), curve.derivatives(found["u"]), strict=True):
+        assert_array_equal(found[key], values)
+
+
+@pytest.mark.parametrize(
+    ("highest", "keys"),
+    [(0, {"u", "position"}), (1, {"u", "position", "d1"}), (2, {"u", "position", "d1", "d2"})],
+)
+def test_derivatives_are_written_up_to_the_highest(bow, sampled, highest, keys):
+    assert set(sampled(bow, "--derivatives", highest)[WING]) == keys
+
+
+def test_parameters_can_be_named_and_the_rest_is_left_out(bow, sampled, at):
+    shapes = sampled(bow, "--at", at({"wing": {"u": [0.5, 0, 1]}}))
+    assert list(shapes) == [WING]
+    assert shapes[WING]["u"] == [0.5, 0.0, 1.0]
+
+
+def test_parameters_outside_are_clamped_on_open_curves(bow, sampled, at):
+    wing = sampled(bow, "--at", at({"wing": {"u": [-3, 0, 1, 7.5]}}))[WING]
+    assert wing["position"][0] == wing["position"][1]
+    assert wing["position"][2] == wing["position"][3]
+
+
+def test_parameters_outside_wrap_on_closed_curves(tmp_path, sampled, at):
+    closed = DOCUMENT.replace(b'"hint": 3', b'"closed": true')
+    (tmp_path / "ring.json").write_bytes(closed)
+    ring = sampled(tmp_path / "ring.json", "--at", at({"wing": {"u": [-0.75, 0.25, 2.25]}}))[WING]
+    assert_allclose(ring["position"], [ring["position"][1]] * 3, rtol=1e-13)
+
+
+def test_the_output_can_be_a_file(bow, sampled, tmp_path, capsys):
+    on_screen = sampled(bow)
+    assert main(["sample", str(bow), "-o", str(tmp_path / "out.json")]) == 0
+    assert capsys.readouterr().out == ""
+    assert json.loads((tmp_path / "out.json").read_bytes())["shapes"] == on_screen
+
+
+def test_surfaces_and_meshes_are_left_out_with_a_note(document, capsys):
+    assert main(["sample", str(document)]) == 0
+    out, notes = capsys.readouterr()
+    assert list(json.loads(out)["shapes"]) == ["wing", "bow"]
+    assert [line.split(" is left out")[0] for line in notes.splitlines()] == ['"sail"', '"knee"']
+
+
+def test_a_surface_that_is_named_is_refused(document, refused, at):
+    told = refused(document, "--at", at({"sail": {"u": [0], "v": [0]}}))
+    assert told == 'at.json: shape "sail": a surface can\'t be sampled yet'
+
+
+@pytest.mark.parametrize(
+    ("tree", "why"),
+    [
+        ({"sail": {"u": [0]}}, 'shape "sail": the design has no such shape'),
+        ({"wing": {}}, 'shape "wing": u: is missing'),
+        ({"wing": {"u": []}}, 'shape "wing": u: is empty'),
+        ({"wing": {"u": [0, "1"]}}, 'shape "wing": u: expected finite numbers, got "1"'),
+        ({"wing": {"u": 0.5}}, 'shape "wing": u: expected a list, got 0.5'),
+        ({"wing": {"u": [0], "v": [0]}}, 'shape "wing": "v": a curve has the parameter "u" alone'),
+        ({"wing": [0]}, 'shape "wing": parameters: expected an object, got a list of 1'),
+        ([0], "parameters: expected an object, got a list of 1"),
+        ('{"wing": {"u": [1e999]}}', 'shape "wing": u: expected finite numbers, got Infinity'),
+        ('{"wing": {"u": [0]}', "is cut off: something begun is not ended at line 1, column 20"),
+        ("", "is empty"),
+    ],
+)
+def test_wrong_parameters_are_told(bow, refused, at, tree, why):
+    assert refused(bow, "--at", at(tree)) == f"at.json: {why}"
+
+
+@pytest.mark.parametrize("count", ["0", "-1", "x", "1.5", "1000001", "9" * 30, ""])
+def test_a_count_is_a_sensible_number(bow, refused, count):
+    assert "argument --count: expected a whole number from 1" in refused(bow, "--count", count)
+
+
+def test_nothing_is_written_where_something_is_wrong(document, refused, tmp_path):
+    document.write_bytes(DOCUMENT.replace(b"[3, 2]", b"[3]"))
+    told = refused(document, "-o", tmp_path / "out.json")
+    assert told == 'bow.json: shape "wing": points: row 2 has 1 number, row 0 has 2'
+    assert not (tmp_path / "out.json").exists()
+
+
+def test_a_result_beyond_a_double_is_told(tmp_path, refused):
+    narrow = DOCUMENT.replace(b"[0.1, 0.2, 0.1]", b"1e-300")
+    (tmp_path / "bow.json").write_bytes(narrow)
+    told = refused(tmp_path / "bow.json", "-o", tmp_path / "out.json")
+    assert told.startswith('bow.json: shape "bow": position: is beyond a double at u = ')
+    assert not (tmp_path / "out.json").exists()
+
+
+@pytest.mark.parametrize("name", ["nope.json", ".", "bow.xyz"])
+def test_a_design_that_can_not_be_read_is_told(refused, tmp_path, name):
+    (tmp_path / "bow.xyz").write_bytes(b"")
+    refused(tmp_path / name)
+
+
+def test_the_design_is_not_written_over(bow, refused, at):
+    before = bow.read_bytes()
+    assert "is read from" in refused(bow, "-o", bow)
+    parameters = at({"wing": {"u": [0]}})
+    assert "is read from" in refused(bow, "--at", parameters, "-o", parameters)
+    assert bow.read_bytes() == before
