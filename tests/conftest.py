@@ -21,8 +21,13 @@ settings.register_profile(
 settings.load_profile("plusedit")
 
 # Nothing that a person has set or kept is read or written by tests.
-os.environ["XDG_STATE_HOME"] = tempfile.mkdtemp(prefix="plusedit-state-")
-os.environ["XDG_CONFIG_HOME"] = tempfile.mkdtemp(prefix="plusedit-config-")
+HOME = tempfile.TemporaryDirectory(prefix="plusedit-tests-", ignore_cleanup_errors=True)
+os.environ["XDG_STATE_HOME"] = f"{HOME.name}/state"
+os.environ["XDG_CONFIG_HOME"] = f"{HOME.name}/config"
+
+
+def pytest_unconfigure():
+    HOME.cleanup()
 
 
 @pytest.fixture
