@@ -7,13 +7,14 @@ view has the focus and nowhere else, so that a letter typed into a field is a le
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
-from PySide6.QtCore import QKeyCombination, QObject, Qt
+from PySide6.QtCore import QKeyCombination, Qt
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QWidget
 
 from plusedit.resources import icon_file
 from plusedit.views.icons import set_icon
 
+SECOND_BACKTAB = QKeySequence("Backtab")  # another name of Shift+Tab
 ARROWS = {Qt.Key.Key_Left, Qt.Key.Key_Right, Qt.Key.Key_Up, Qt.Key.Key_Down}
 COMMANDING = (
     Qt.KeyboardModifier.ControlModifier
@@ -111,7 +112,8 @@ class ActionTable:
     def keys_text(self, name: str) -> str:
         """The shortcuts of an action as they stand on the keys of this machine."""
         native = QKeySequence.SequenceFormat.NativeText
-        return ", ".join(key.toString(native) for key in self._actions[name].shortcuts())
+        keys = [key for key in self._actions[name].shortcuts() if key != SECOND_BACKTAB]
+        return ", ".join(key.toString(native) for key in keys)
 
     def tip(self, name: str) -> str:
         """The tooltip of an action: title, keys, and what it does."""
@@ -124,7 +126,7 @@ def belongs_to_view(keys: QKeySequence) -> bool:
     """Whether a shortcut would get in the way of typing, or of arrow keys in lists and fields."""
     if keys.isEmpty():
         return False
-    first: QKeyCombination = keys[0]
+    first: QKeyCombination = keys[0]  # type: ignore[index]
     key = first.key()
     if key in ARROWS:
         return True
@@ -139,10 +141,3 @@ def conflicts(shortcuts: Mapping[str, Iterable[str]]) -> dict[str, list[str]]:
         for key in keys:
             users.setdefault(QKeySequence(key).toString(), []).append(name)
     return {key: names for key, names in users.items() if key and len(names) > 1}
-
-
-def owner_of(thing: QObject) -> QWidget | None:
-    """The window that something lies in."""
-    while thing is not None and not (isinstance(thing, QWidget) and thing.isWindow()):
-        thing = thing.parent()
-    return thing

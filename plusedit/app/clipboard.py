@@ -7,7 +7,7 @@ import numpy as np
 from PySide6.QtCore import QMimeData
 from PySide6.QtGui import QGuiApplication
 
-from plusedit.commands.lines import fitted
+from plusedit.commands.base import fitted
 from plusedit.commands.shapes import AddShapes, DeleteShapes
 from plusedit.document.design import Design
 from plusedit.document.shape import Shape, ShapeId
@@ -69,8 +69,6 @@ class Clipboard:
 
     def _text(self) -> str:
         data = QGuiApplication.clipboard().mimeData()
-        if data is None:
-            return ""
         if data.hasFormat(KIND):
             return bytes(data.data(KIND).data()).decode("utf-8", "replace")
         return data.text() if data.hasText() else ""

@@ -1,7 +1,7 @@
 """The docks around the view, one for each panel on the shelf."""
 
 from PySide6.QtCore import QByteArray, Qt
-from PySide6.QtWidgets import QDockWidget, QMainWindow, QWidget
+from PySide6.QtWidgets import QDockWidget, QLabel, QMainWindow, QWidget
 
 from plusedit.views.desk import Desk
 from plusedit.views.panels import panels
@@ -10,8 +10,8 @@ AREAS = {
     "left": Qt.DockWidgetArea.LeftDockWidgetArea,
     "right": Qt.DockWidgetArea.RightDockWidgetArea,
 }
-WIDTHS = {"left": 216, "right": 264}  # logical pixels at the first start
-HEIGHTS = {"inspector": 420, "lines_table": 260}
+WIDTHS = {"left": 272, "right": 264}  # logical pixels at the first start
+HEIGHTS = {"outliner": 300, "lines_table": 300}
 STATE = 1  # version of the kept places of docks
 
 
@@ -27,11 +27,8 @@ class Docks:
             panel = panels[name]
             dock = QDockWidget(panel.title, window)
             dock.setObjectName(name)
-            dock.setTitleBarWidget(None)
-            dock.setFeatures(
-                QDockWidget.DockWidgetFeature.DockWidgetMovable
-                | QDockWidget.DockWidgetFeature.DockWidgetClosable
-            )
+            dock.setFeatures(QDockWidget.DockWidgetFeature.DockWidgetMovable)
+            dock.setTitleBarWidget(head_of(panel.title))
             dock.setWidget(panel.make(desk))
             window.addDockWidget(AREAS[panel.area], dock)
             self.by_name[name] = dock
@@ -73,3 +70,10 @@ class Docks:
         self._window.resizeDocks(
             [self.by_name[n] for n in tall], [HEIGHTS[n] for n in tall], Qt.Orientation.Vertical
         )
+
+
+def head_of(title: str) -> QLabel:
+    """The title of a dock: quiet, without buttons; the Window menu hides and shows docks."""
+    label = QLabel(title)
+    label.setProperty("dock", True)
+    return label

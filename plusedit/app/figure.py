@@ -5,7 +5,6 @@ from PySide6.QtWidgets import QFrame, QVBoxLayout
 
 from plusedit.commands.curves import SetMagnitude
 from plusedit.document.design import Design
-from plusedit.document.selection import Selection
 from plusedit.document.session import Session
 from plusedit.document.shape import Shape, ShapeId
 from plusedit.geometry.bases.bspline import BSpline
@@ -19,7 +18,7 @@ from plusedit.scene.theme import Theme
 from plusedit.views.canvas import PlaneCanvas
 from plusedit.views.magnitude_slider import MagnitudeSlider
 
-POINTS = [[0.0, 0.0], [1.0, 2.2], [2.6, 2.4], [3.4, 0.4], [4.8, 0.2], [5.8, 2.0]]
+POINTS = [[0.0, 0.0], [1.4, 2.2], [3.6, 2.6], [5.0, 0.2], [7.2, 0.0], [8.4, 2.2]]
 CURVE = ShapeId("curve")
 
 
@@ -34,7 +33,6 @@ class Figure(QFrame):
         self._length = polygon_length(curve)
         self.session = Session(Design({CURVE: Shape(curve, "Curve")}))
         self.session.commit(SetMagnitude({CURVE: 0.5 * self._length}))
-        self.session.select(Selection.of_shapes([CURVE]))
         gestures = Gestures(self.session, PlaneCamera((400.0, 240.0)))
         self.canvas = PlaneCanvas(self.session, gestures)
         self.canvas.set_options(ViewOptions(handles="all", grid=False, rulers=False))
@@ -47,7 +45,7 @@ class Figure(QFrame):
         self.slider.reset_asked.connect(lambda: self.session.commit(self._edit(0.5)))
         self.session.changed.listen(lambda *_: self._show())
         column = QVBoxLayout(self)
-        column.setContentsMargins(1, 1, 1, 8)
+        column.setContentsMargins(4, 4, 4, 8)
         column.setSpacing(8)
         column.addWidget(self.canvas, 1)
         around = QVBoxLayout()

@@ -1,6 +1,6 @@
 """The command palette: everything the window can do, found by typing a few letters of it."""
 
-from PySide6.QtCore import QEvent, QObject, QRect, Qt
+from PySide6.QtCore import QEvent, QModelIndex, QObject, QPersistentModelIndex, QRect, QSize, Qt
 from PySide6.QtGui import QAction, QColor, QFont, QKeyEvent, QPainter
 from PySide6.QtWidgets import (
     QDialog,
@@ -14,13 +14,21 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from plusedit.app.actions import ActionTable
+from plusedit.app.actions import ActionTable, Entry
+
+Index = QModelIndex | QPersistentModelIndex
 
 WIDTH, ROWS, ROW = 520, 10, 32  # logical pixels, but for ROWS
 NAVIGATING = (Qt.Key.Key_Up, Qt.Key.Key_Down, Qt.Key.Key_PageUp, Qt.Key.Key_PageDown)
 NAME = Qt.ItemDataRole.UserRole
 KEYS = Qt.ItemDataRole.UserRole + 1
 WHERE = Qt.ItemDataRole.UserRole + 2
+
+
+def title_of(entry: Entry) -> str:
+    """What the palette calls an action: with its submenu, which says what the title is about."""
+    title, submenu = entry.title.rstrip("…"), entry.menu.partition("/")[2]
+    return f"{submenu}: {title}" if submenu else title
 
 
 def score(typed: str, title: str) -> float | None:
@@ -65,18 +73,21 @@ def _from(word: str, text: str, start: int) -> float | None:
 class PaletteRow(QStyledItemDelegate):
     """Title left, menu and shortcut right."""
 
-    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: object) -> None:
+    def sizeHint(self, option: QStyleOptionViewItem, index: Index) -> QSize:
+        return QSize(WIDTH - 32, ROW)
+
+    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
         painter.save()
-        widget: QWidget = option.widget  # type: ignore[attr-defined]
+        widget: QWidget = option.widget
         element = QStyle.PrimitiveElement.PE_PanelItemViewItem
         widget.style().drawPrimitive(element, option, painter, widget)
-        place: QRect = option.rect.adjusted(12, 0, -12, 0)  # type: ignore[attr-defined]
-        is_enabled = bool(option.state & QStyle.StateFlag.State_Enabled)  # type: ignore[attr-defined]
+        place: QRect = option.rect.adjusted(12, 0, -12, 0)
+        is_enabled = bool(option.state & QStyle.StateFlag.State_Enabled)
         palette = widget.palette()
         quiet = palette.color(palette.ColorRole.PlaceholderText)
         text = palette.color(palette.ColorRole.Text) if is_enabled else quiet
-        self._write(painter, place, index.data(), text, Qt.AlignmentFlag.AlignLeft)  # type: ignore[attr-defined]
-        right = " · ".join(filter(None, (index.data(WHERE), index.data(KEYS))))  # type: ignore[attr-defined]
+        self._write(painter, place, index.data(), text, Qt.AlignmentFlag.AlignLeft)
+        right = " · ".join(filter(None, (index.data(WHERE), index.data(KEYS))))
         font = QFont(painter.font())
         font.setPointSizeF(font.pointSizeF() * 0.9)
         painter.setFont(font)
@@ -110,28 +121,28 @@ class Palette(QDialog):
         column.setSpacing(8)
         column.addWidget(self.typed)
         column.addWidget(self.list)
-        self.typed.textChanged.connect(self.find)
+        self.typed.textChanged.connect(self.look_for)
         self.list.itemClicked.connect(lambda _: self.accept())
         self.accepted.connect(self._run)
         self.setFixedWidth(WIDTH)
         self.setFixedHeight(ROWS * ROW + 64)
-        self.find("")
+        self.look_for("")
         self.move(
             parent.mapToGlobal(parent.rect().topLeft()).x() + (parent.width() - WIDTH) // 2,
             parent.mapToGlobal(parent.rect().topLeft()).y() + parent.height() // 6,
         )
 
-    def find(self, typed: str) -> None:
+    def look_for(self, typed: str) -> None:
         """List what fits, the best first."""
         self.list.clear()
         found = []
         for place, entry in enumerate(self._table):
-            title = entry.title.rstrip("…")
+            title = title_of(entry)
             points = score(typed, title) if typed.strip() else -float(place)
             if points is None and (inside := score(typed, f"{entry.menu} {title}")) is not None:
                 points = inside - 10.0
             if points is not None:
-                found.append((points, entry.name, title, entry.menu.replace("/", " › ")))
+                found.append((points, entry.name, title, entry.menu.split("/")[0]))
         for _, name, title, menu in sorted(found, key=lambda each: -each[0]):
             item = QListWidgetItem(title)
             item.setData(NAME, name)

@@ -111,17 +111,19 @@ class ShortcutEditor(QWidget):
             self.list.addTopLevelItem(item)
         self._fill_keys()
 
+    def _items(self) -> list[QTreeWidgetItem]:
+        rows = range(self.list.topLevelItemCount())
+        return [item for row in rows if (item := self.list.topLevelItem(row)) is not None]
+
     def _fill_keys(self) -> None:
-        for row in range(self.list.topLevelItemCount()):
-            item = self.list.topLevelItem(row)
+        for item in self._items():
             keys = self.chosen[str(item.data(0, NAME))]
             native = QKeySequence.SequenceFormat.NativeText
             item.setText(1, ", ".join(QKeySequence(key).toString(native) for key in keys))
 
     def _filter(self, typed: str) -> None:
         wanted = typed.lower()
-        for row in range(self.list.topLevelItemCount()):
-            item = self.list.topLevelItem(row)
+        for item in self._items():
             text = f"{item.text(0)} {item.text(1)}".lower()
             item.setHidden(wanted not in text)
 

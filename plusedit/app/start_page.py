@@ -4,7 +4,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QSize, Qt, QTimer
-from PySide6.QtGui import QKeyEvent, QMouseEvent, QPixmap, QShowEvent
+from PySide6.QtGui import QKeyEvent, QMouseEvent, QPixmap, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import (
     QFrame,
     QGridLayout,
@@ -24,7 +24,8 @@ from plusedit.views.live import quiet, title
 
 WIDEST = 960  # logical pixels of the page, wherever the window is wider
 PICTURE = QSize(208, 132)
-ACROSS = 4  # examples side by side
+MARGIN, GAP = 32, 16
+MOST_ACROSS = 4  # examples side by side
 IDEA = (
     "A plus curve blends straight lines, where other curves blend points. "
     "Each control line has a point that pulls the curve and a direction that steers it. "
@@ -102,6 +103,7 @@ class StartPage(QScrollArea):
         self._recent.setSpacing(4)
         self.figure: Figure | None = None
         self._figure_place = QVBoxLayout()
+        self._across = 0
         self.setWidgetResizable(True)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAsNeeded)
         self.setWidget(self._page(new_curve, ask))
@@ -159,14 +161,15 @@ class StartPage(QScrollArea):
         column.setSpacing(24)
         column.addLayout(self._top(new_curve, ask))
         column.addWidget(title("Examples"))
-        column.addLayout(self._examples())
+        self._grid = self._examples()
+        column.addLayout(self._grid)
         column.addStretch(1)
         inside = QWidget()
         inside.setMaximumWidth(WIDEST)
         inside.setLayout(column)
         page = QWidget()
         row = QHBoxLayout(page)
-        row.setContentsMargins(32, 32, 32, 32)
+        row.setContentsMargins(MARGIN, MARGIN, MARGIN, MARGIN)
         row.addStretch(1)
         row.addWidget(inside, 100)
         row.addStretch(1)
@@ -205,8 +208,15 @@ class StartPage(QScrollArea):
 
     def _examples(self) -> QGridLayout:
         grid = QGridLayout()
-        grid.setSpacing(16)
-        for number, card in enumerate(self._cards):
-            grid.addWidget(card, number // ACROSS, number % ACROSS)
-        grid.setColumnStretch(ACROSS, 1)
+        grid.setSpacing(GAP)
+        grid.setColumnStretch(MOST_ACROSS, 1)
         return grid
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        room = min(WIDEST, self.viewport().width() - 2 * MARGIN)
+        across = max(1, min(MOST_ACROSS, (room + GAP) // (PICTURE.width() + 2 + GAP)))
+        if across != self._across:
+            self._across = across
+            for number, card in enumerate(self._cards):
+                self._grid.addWidget(card, number // across, number % across)

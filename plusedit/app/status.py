@@ -12,12 +12,14 @@ from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.frames import curvature, space_curvature
 from plusedit.geometry.nearest import nearest_parameter
 from plusedit.interaction.tool import Feedback
+from plusedit.scene.camera import AXES, Projection
 from plusedit.views.desk import Desk
 from plusedit.views.look import tabular
 
 PAUSE = 30  # milliseconds between searches for the nearest point
 SAID = 6_000  # milliseconds that a sentence stays
-AXES = {"top": "xy", "front": "xz", "right": "yz"}
+USUAL = "F1: keys and mouse   ·   Ctrl+Shift+P: find any command"
+NAMES = "xyz"
 
 
 class Elided(QLabel):
@@ -57,7 +59,7 @@ class Status(QStatusBar):
         self._desk = desk
         self._hint, self._said = "", ""
         self._at: tuple[float, float] | None = None
-        self._projection = "top"
+        self._projection: Projection = "top"
         self.text = Elided()
         self.text.setAccessibleName("hint")
         self.place, self.bend = QLabel(), QLabel()
@@ -66,6 +68,7 @@ class Status(QStatusBar):
             label.setMinimumWidth(label.fontMetrics().horizontalAdvance(widest))
             label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         self._lay_out()
+        self._show_text()
         self._silence = self._timer(SAID, self._be_silent)
         self._look = self._timer(PAUSE, self._measure)
         desk.said.listen(self.say)
@@ -78,7 +81,7 @@ class Status(QStatusBar):
         self._show_text()
         self._silence.start()
 
-    def point_at(self, x: float, y: float, projection: str) -> None:
+    def point_at(self, x: float, y: float, projection: Projection) -> None:
         """The pointer is there, in the plane of that projection."""
         self._at, self._projection = (x, y), projection
         self._look_soon()
@@ -123,7 +126,7 @@ class Status(QStatusBar):
         self._show_text()
 
     def _show_text(self) -> None:
-        self.text.setText(self._said or self._hint)
+        self.text.setText(self._said or self._hint or USUAL)
 
     def _look_soon(self) -> None:
         if not self._look.isActive():
@@ -134,7 +137,7 @@ class Status(QStatusBar):
             self.place.setText("")
             self.bend.setText("")
             return
-        across, up = AXES[self._projection]
+        across, up = (NAMES[axis] for axis in AXES[self._projection])
         x, y = self._at
         self.place.setText(f"{across} {x:.3f}  {up} {y:.3f}")
         found = self._nearest_curve()
@@ -147,9 +150,9 @@ class Status(QStatusBar):
         return None if key is None else curves.get(key)
 
 
-def bend_text(curve: PlusCurve, at: tuple[float, float], projection: str) -> str:
+def bend_text(curve: PlusCurve, at: tuple[float, float], projection: Projection) -> str:
     """Parameter and curvature of the point of `curve` nearest to a point of the view."""
-    axes = tuple("xyz".index(name) for name in AXES[projection])
+    axes = AXES[projection]
     if max(axes) >= curve.dimension:
         return ""
     u = nearest_parameter(curve, np.array(at), axes=axes)

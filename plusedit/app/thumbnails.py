@@ -16,9 +16,11 @@ REDUCED = 2  # pictures are drawn for twice their size, so that lines and dots a
 
 
 def picture_of(design: Design, size: QSize, theme: Theme, pixel_ratio: float = 1.0) -> QPixmap:
-    """A picture of a design, `size` logical pixels large."""
+    """A picture of a design on a transparent ground, `size` logical pixels large."""
     large = (size.width() * REDUCED, size.height() * REDUCED)
-    image = image_of(without_words(design), large, theme, ratio=pixel_ratio / REDUCED)
+    image = image_of(
+        without_words(design), large, theme, transparent=True, ratio=pixel_ratio / REDUCED
+    )
     image.setDevicePixelRatio(pixel_ratio)
     return QPixmap.fromImage(image)
 

@@ -46,7 +46,8 @@ class ViewState:
 
     def toggle(self, name: str) -> None:
         """Switch "grid", "rulers" or "snap" on or off."""
-        self.set_options(replace(self.options, **{name: not getattr(self.options, name)}))
+        value = not getattr(self.options, name)
+        self.set_options(replace(self.options, **{name: value}))  # type: ignore[arg-type]
 
     def set_handles(self, handles: Handles) -> None:
         """Choose whose control lines are shown."""

@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
     QKeySequenceEdit,
     QLineEdit,
     QMainWindow,
+    QMenu,
     QMessageBox,
     QStackedWidget,
     QTextEdit,
@@ -118,7 +119,7 @@ class MainWindow(QMainWindow):
         self.tool_bar = make_toolbar(self.actions_table, self.gestures)
         self.addToolBar(self.tool_bar)
         self._menus = menus.fill(self.menuBar(), self.actions_table)
-        self._recent = menus.QMenu("Open recent", self)
+        self._recent = QMenu("Open recent", self)
         self._menus["File"].insertMenu(self.actions_table["save"], self._recent)
 
     def _listen(self) -> None:

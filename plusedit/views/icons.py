@@ -54,10 +54,11 @@ def set_icon(target: QAction | QAbstractButton, name: str) -> None:
 
 def refresh_icons(root: QObject) -> None:
     """Draw the icons of everything below `root` in the colors of the palette now."""
-    for kind in (QAction, QAbstractButton):
-        for target in root.findChildren(kind):
-            if name := target.property(NAME):
-                target.setIcon(icon(name))
+    targets: list[QAction | QAbstractButton] = [*root.findChildren(QAction)]
+    targets += root.findChildren(QAbstractButton)
+    for target in targets:
+        if name := target.property(NAME):
+            target.setIcon(icon(name))
 
 
 def tinted(name: str, color: QColor, side: int = 16) -> QPixmap:

@@ -4,10 +4,14 @@ Fusion draws the controls; the style sheet only takes away frames within frames 
 spacing on the 4 px grid. The drawing stays the brightest thing on the screen.
 """
 
-from PySide6.QtCore import Qt
+import re
+from pathlib import Path
+
+from PySide6.QtCore import QStandardPaths, Qt
 from PySide6.QtGui import QColor, QFont, QGuiApplication, QPalette
 from PySide6.QtWidgets import QApplication
 
+from plusedit.resources import icon_file
 from plusedit.scene.theme import DARK, LIGHT, THEMES, Theme
 
 SCHEMES = {
@@ -50,8 +54,7 @@ def palette_of(theme: Theme) -> QPalette:
             palette.setColor(each, QColor(theme.color(name)))
     palette.setColor(role.HighlightedText, on_accent(theme))
     palette.setColor(role.Shadow, QColor(0, 0, 0, 60))
-    faint = QColor(theme.color("quiet"))
-    faint.setAlpha(140)
+    faint = mixed(theme.color("quiet"), theme.color("window"), 0.5)
     for each in (role.WindowText, role.Text, role.ButtonText):
         palette.setColor(group.Disabled, each, faint)
     return palette
@@ -62,14 +65,34 @@ def on_accent(theme: Theme) -> QColor:
     return QColor("#FFFFFF") if theme is LIGHT else QColor("#0E1420")
 
 
-def tinted_accent(theme: Theme, strength: float) -> str:
-    """The accent mixed into the panel color by `strength`, from 0 to 1, as "#rrggbb"."""
-    accent, panel = QColor(theme.color("accent")), QColor(theme.color("panel"))
+def mixed(color: str, ground: str, share: float) -> QColor:
+    """`share` of one color, from 0 to 1, in another."""
     channels = [
-        round(a * strength + b * (1.0 - strength))
-        for a, b in zip(accent.getRgb()[:3], panel.getRgb()[:3], strict=True)
+        round(a * share + b * (1.0 - share))
+        for a, b in zip(
+            QColor(color).getRgb()[:3],  # type: ignore[index]
+            QColor(ground).getRgb()[:3],  # type: ignore[index]
+            strict=True,
+        )
     ]
-    return QColor(*channels).name()
+    return QColor(*channels)
+
+
+def tinted_file(name: str, color: str) -> str:
+    """The path of an icon in one color, for style sheets, which take colors from files only.
+
+    Empty if there is no such icon or nowhere to write.
+    """
+    place = QStandardPaths.StandardLocation.GenericCacheLocation
+    file = Path(QStandardPaths.writableLocation(place)) / "plusedit" / f"{name}-{color[1:]}.svg"
+    try:
+        source = icon_file(name).read_text(encoding="utf-8").replace("currentColor", color)
+        if not file.exists() or file.read_text(encoding="utf-8") != source:
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text(source, encoding="utf-8")
+    except OSError:
+        return ""
+    return file.as_posix()
 
 
 def tabular(font: QFont) -> QFont:
@@ -84,13 +107,15 @@ def tabular(font: QFont) -> QFont:
 def style_sheet(theme: Theme) -> str:
     """The style sheet of the whole program in the colors of `theme`."""
     colors = {name: theme.color(name) for name in theme.colors}
-    colors["soft"] = tinted_accent(theme, 0.14)
-    colors["softer"] = tinted_accent(theme, 0.08)
+    accent, panel = theme.color("accent"), theme.color("panel")
+    colors["soft"] = mixed(accent, panel, 0.14).name()
+    colors["softer"] = mixed(accent, panel, 0.08).name()
     colors["on_accent"] = on_accent(theme).name()
-    sheet = SHEET
-    for name, color in colors.items():
-        sheet = sheet.replace(f"@{name};", f"{color};").replace(f"@{name} ", f"{color} ")
-    return sheet
+    colors["arrow"] = f'url("{tinted_file("down", theme.color("quiet"))}")'
+    colors["check"] = f'url("{tinted_file("check", colors["on_accent"])}")'
+    colors["dash"] = f'url("{tinted_file("dash", colors["on_accent"])}")'
+    colors["tick"] = f'url("{tinted_file("check", theme.color("text"))}")'
+    return re.sub(r"@([a-z_]+)", lambda match: colors[match[1]], SHEET)
 
 
 SHEET = """
@@ -106,10 +131,11 @@ QMenu::item:selected { background: @soft; color: @text; }
 QMenu::item:disabled { color: @quiet; }
 QMenu::separator { height: 1px; background: @border; margin: 4px 8px; }
 QMenu::icon { padding-left: 8px; }
-QMenu::indicator { width: 14px; height: 14px; margin-left: 8px; }
+QMenu::indicator { width: 16px; height: 16px; margin-left: 6px; }
+QMenu::indicator:checked { image: @tick; }
 QToolBar { background: @window; border: none; border-bottom: 1px solid @border;
     padding: 4px 8px; spacing: 4px; }
-QToolBar#magnitude { border-bottom: none; border-top: 1px solid @border; padding: 4px 12px; }
+QToolBar#magnitude { border-bottom: none; border-top: 1px solid @border; padding: 0; spacing: 0; }
 QToolBar::separator { background: @border; width: 1px; margin: 6px 4px; }
 QToolButton { border: none; border-radius: 6px; padding: 4px; background: transparent; }
 QToolButton:hover { background: @softer; }
@@ -118,21 +144,38 @@ QToolButton:pressed { background: @soft; }
 QToolButton:focus { background: @softer; }
 QToolButton::menu-indicator { image: none; }
 QDockWidget { font-weight: 600; }
-QDockWidget::title { background: @window; padding: 8px 12px 4px 12px; text-align: left; }
 QDockWidget > QWidget { background: @window; }
 QStatusBar { background: @window; border-top: 1px solid @border; }
 QStatusBar::item { border: none; }
 QStatusBar QLabel, QLabel[quiet="true"] { color: @quiet; }
 QLabel[wrong="true"] { color: @classical; }
 QLabel[title="true"] { font-weight: 600; }
+QLabel[dock="true"] { font-weight: 600; padding: 8px 12px; }
 QLineEdit { background: @panel; border: 1px solid @border; border-radius: 4px;
-    padding: 3px 6px; selection-background-color: @accent; selection-color: @on_accent; }
+    padding: 2px 6px; min-height: 18px; selection-background-color: @accent;
+    selection-color: @on_accent; }
 QLineEdit:hover { border-color: @quiet; }
 QLineEdit:focus { border-color: @accent; }
 QLineEdit:disabled { background: @window; color: @quiet; }
 QLineEdit[wrong="true"] { border-color: @classical; }
 QComboBox { background: @panel; border: 1px solid @border; border-radius: 4px;
-    padding: 3px 8px; min-height: 18px; }
+    padding: 2px 4px 2px 8px; min-height: 18px; }
+QComboBox::drop-down { border: none; width: 20px; }
+QComboBox::down-arrow { image: @arrow; width: 14px; height: 14px; }
+QComboBox QAbstractItemView { background: @panel; border: 1px solid @border; padding: 4px;
+    selection-background-color: @soft; selection-color: @text; outline: none; }
+QCheckBox { spacing: 8px; }
+QCheckBox::indicator, QTableView::indicator { width: 14px; height: 14px; border-radius: 4px;
+    border: 1px solid @border; background: @panel; }
+QCheckBox::indicator:hover, QTableView::indicator:hover { border-color: @quiet; }
+QCheckBox::indicator:focus { border-color: @accent; }
+QCheckBox::indicator:checked, QTableView::indicator:checked { background: @accent;
+    border-color: @accent; image: @check; }
+QCheckBox::indicator:indeterminate { background: @accent; border-color: @accent; image: @dash; }
+QSpinBox { background: @panel; border: 1px solid @border; border-radius: 4px;
+    padding: 2px 6px; min-height: 18px; }
+QSpinBox:focus { border-color: @accent; }
+QSpinBox::up-button, QSpinBox::down-button { width: 0; border: none; }
 QComboBox:hover { border-color: @quiet; }
 QComboBox:focus { border-color: @accent; }
 QComboBox:disabled { background: @window; color: @quiet; }
@@ -155,7 +198,9 @@ QTreeView::item:selected, QListView::item:selected, QTableView::item:selected {
     background: @soft; color: @text; }
 QTreeView::item:hover, QListView::item:hover { background: @softer; }
 QTableView { gridline-color: @window; }
-QTableView QLineEdit, QTreeView QLineEdit { border-radius: 0; padding: 0 2px; }
+QTableView QLineEdit, QTreeView QLineEdit, QListView QLineEdit { border-radius: 2px;
+    padding: 0 2px; min-height: 0; }
+QTableView::item { padding: 0 6px; }
 QHeaderView { background: @panel; }
 QHeaderView::section { background: @panel; color: @quiet; border: none;
     border-bottom: 1px solid @border; padding: 4px 6px; }

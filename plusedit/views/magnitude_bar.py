@@ -43,7 +43,7 @@ class MagnitudeBar(LiveWidget):
 
     def _lay_out(self) -> None:
         row = QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 0, 0)
+        row.setContentsMargins(12, 4, 12, 0)
         row.setSpacing(8)
         row.addWidget(self._what)
         row.addWidget(self.slider, 1)

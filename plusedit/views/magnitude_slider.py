@@ -18,6 +18,7 @@ from plusedit.scene.theme import LIGHT, Theme
 TOP = 2.0  # s / L at the right end
 STEP = 0.01  # of L, for a key or a notch of the wheel
 PAUSE = 400  # milliseconds after the last notch or key before the edit is one step
+HEIGHT = 42  # logical pixels
 KNOB = 7.0  # radius in logical pixels
 KEYS = {
     Qt.Key.Key_Left: -1,
@@ -67,10 +68,10 @@ class MagnitudeSlider(QWidget):
         return self._is_held or self._pause.isActive()
 
     def sizeHint(self) -> QSize:
-        return QSize(360, 40)
+        return QSize(360, HEIGHT)
 
     def minimumSizeHint(self) -> QSize:
-        return QSize(160, 40)
+        return QSize(160, HEIGHT)
 
     def show_ratio(self, ratio: float | None, best: float | None) -> None:
         """Stand at `ratio` with a mark at `best`."""

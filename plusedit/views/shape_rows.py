@@ -13,6 +13,7 @@ from plusedit.views.icons import tinted
 from plusedit.views.shapes_model import ShapesModel
 
 Switch = Literal["eye", "lock"]
+SWITCHES: tuple[Switch, ...] = ("eye", "lock")
 
 HEIGHT, MARGIN, CHIP, ICON = 28, 12, 12, 16  # logical pixels
 FAINT = 0.45  # opacity of what is hidden
@@ -40,14 +41,14 @@ class ShapeRows(QStyledItemDelegate):
         if shape is None:
             return
         painter.save()
-        row: QRect = option.rect  # type: ignore[attr-defined]
-        state: QStyle.StateFlag = option.state  # type: ignore[attr-defined]
-        style = option.widget.style()  # type: ignore[attr-defined]
+        row: QRect = option.rect
+        state: QStyle.StateFlag = option.state
+        style = option.widget.style()
         style.drawPrimitive(
             QStyle.PrimitiveElement.PE_PanelItemViewItem,
             option,
             painter,
-            option.widget,  # type: ignore[attr-defined]
+            option.widget,
         )
         is_pointed_at = bool(state & QStyle.StateFlag.State_MouseOver)
         self._switches(painter, row, shape, show_all=is_pointed_at)
@@ -72,7 +73,7 @@ class ShapeRows(QStyledItemDelegate):
         option: QStyleOptionViewItem,
         index: QModelIndex | QPersistentModelIndex,
     ) -> None:
-        editor.setGeometry(name_place(option.rect).adjusted(-4, 2, 0, -2))  # type: ignore[attr-defined]
+        editor.setGeometry(name_place(option.rect).adjusted(-4, 2, 0, -2))
 
     def _chip(self, painter: QPainter, row: QRect, shape: Shape) -> None:
         place = QRectF(row.left() + MARGIN, row.center().y() - CHIP / 2 + 1, CHIP, CHIP)
@@ -88,8 +89,8 @@ class ShapeRows(QStyledItemDelegate):
     ) -> None:
         place = name_place(row)
         text = shape.name
-        metrics = option.fontMetrics  # type: ignore[attr-defined]
-        painter.setFont(option.font)  # type: ignore[attr-defined]
+        metrics = option.fontMetrics
+        painter.setFont(option.font)
         painter.setPen(QColor(self._desk.theme.color("text")))
         align = Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft
         fitting = metrics.elidedText(text, Qt.TextElideMode.ElideRight, place.width())
@@ -103,14 +104,15 @@ class ShapeRows(QStyledItemDelegate):
 
     def _switches(self, painter: QPainter, row: QRect, shape: Shape, *, show_all: bool) -> None:
         color = QColor(self._desk.theme.color("quiet"))
-        for switch, name, is_unusual in (
-            ("lock", "lock" if shape.locked else "unlock", shape.locked),
-            ("eye", "eye" if shape.visible else "eye-off", not shape.visible),
-        ):
+        states: dict[Switch, tuple[str, bool]] = {
+            "lock": ("lock" if shape.locked else "unlock", shape.locked),
+            "eye": ("eye" if shape.visible else "eye-off", not shape.visible),
+        }
+        for switch, (name, is_unusual) in states.items():
             # What is as usual stays out of sight until the row is pointed at.
             if is_unusual or show_all or switch == "eye":
                 painter.setOpacity(1.0 if is_unusual or show_all else FAINT)
-                place = switch_place(row, switch)  # type: ignore[arg-type]
+                place = switch_place(row, switch)
                 painter.drawPixmap(place, tinted(name, color, ICON))
         painter.setOpacity(1.0)
 
@@ -129,7 +131,7 @@ def name_place(row: QRect) -> QRect:
 
 def switch_at(row: QRect, at: QPoint) -> Switch | None:
     """Which switch of a row lies there."""
-    for switch in ("eye", "lock"):
-        if switch_place(row, switch).adjusted(-4, -8, 4, 8).contains(at):  # type: ignore[arg-type]
-            return switch  # type: ignore[return-value]
+    for switch in SWITCHES:
+        if switch_place(row, switch).adjusted(-4, -8, 4, 8).contains(at):
+            return switch
     return None

@@ -118,7 +118,7 @@ class LinesModel(QAbstractTableModel):
         value = number_of(shape.curve, name, row)
         if value is None:
             return ""
-        return written(value, 12 if role == Role.EditRole else 6)
+        return written(value, 12 if role == Role.EditRole else 4)
 
     def setData(self, index: Index, value: object, role: int = Role.EditRole) -> bool:
         line, name = self._rows[index.row()], self._columns[index.column()]
@@ -168,7 +168,7 @@ def edit_of(line: LineId, name: str, value: float) -> Command:
     return SetCoordinate(targets, int(name), value)
 
 
-@panel("lines_table", title="Control lines", area="right", order=2)
+@panel("lines_table", title="Control lines", area="left", order=2)
 class LinesTable(LiveWidget):
     """The table, its selection being the session's."""
 
@@ -184,7 +184,7 @@ class LinesTable(LiveWidget):
         self.table.verticalHeader().hide()
         self.table.verticalHeader().setDefaultSectionSize(24)
         header = self.table.horizontalHeader()
-        header.setDefaultSectionSize(56)
+        header.setDefaultSectionSize(68)
         header.setMinimumSectionSize(36)
         header.setHighlightSections(False)
         header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
