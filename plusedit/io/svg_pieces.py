@@ -142,9 +142,9 @@ def _arc(
     if not large and half <= QUARTER / 2.0:
         # From the chord, not from a center that may be very far away.
         bulge = side * tan(half)
-        return [(frame.outside(y * bulge, -x * bulge), to, cos(half))]
+        return [(frame.outside(-y * bulge, x * bulge), to, cos(half))]
     angle = side * (2.0 * (pi - half) if large else 2.0 * half)
-    height = cos(half) / reach * (side if large else -side)
+    height = cos(half) / reach * (-side if large else side)
     center = (y * height, -x * height)
     begin = atan2(y - center[1], x - center[0])
     count = max(1, ceil(abs(angle) / QUARTER - 1e-9))

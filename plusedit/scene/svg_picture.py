@@ -1,0 +1,170 @@
+"""Items as an SVG picture: what the painter draws, for vector graphics.
+
+Positions are the camera's pixels, sizes and dashes the painter's; text stays text.
+"""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from functools import singledispatchmethod
+from xml.sax.saxutils import escape, quoteattr
+
+import numpy as np
+
+from plusedit.geometry.arrays import Floats
+from plusedit.scene.camera import Camera
+from plusedit.scene.clipping import (
+    Box,
+    clipped_polygon,
+    clipped_polyline,
+    clipped_segments,
+    reaches_beyond,
+)
+from plusedit.scene.items import Dash, Item, Label, Markers, Polygon, Polyline, Segments
+from plusedit.scene.theme import Theme
+
+BEYOND = 2000.0  # pixels around the picture within which lines are drawn as they are
+DASHES: Mapping[Dash, str] = {"dash": "6 4", "dot": "2 3"}  # pixels
+DIGITS = 3  # of a pixel, behind the point
+ANCHORS = {"left": "start", "center": "middle", "right": "end"}
+FONT = "Inter, 'Segoe UI', 'Helvetica Neue', 'DejaVu Sans', Arial, sans-serif"
+DIAMOND: Floats = np.array([[0.0, -1.0], [1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]])
+SQUARE: Floats = np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]])
+
+
+def svg_of(
+    items: Iterable[Item], camera: Camera, theme: Theme, *, transparent: bool = False
+) -> bytes:
+    """The picture of `items` as `camera` sees them, as large as its view; UTF-8.
+
+    The first item is farthest back. Behind all is the theme's canvas, unless `transparent`.
+    """
+    draw = _Picture(camera, theme)
+    width, height = (_number(side) for side in camera.size)
+    lines = [f'<rect width="{width}" height="{height}" {draw.fill("canvas")}/>']
+    if transparent:
+        lines.clear()
+    for item in items:
+        lines += draw.elements(item)
+    size = f'width="{width}" height="{height}" viewBox="0 0 {width} {height}"'
+    style = 'fill="none" stroke-linejoin="round" stroke-linecap="round"'
+    body = "".join(f"{line}\n" for line in lines)
+    root = f'<svg xmlns="http://www.w3.org/2000/svg" version="1.1" {size} {style}>'
+    return f'<?xml version="1.0" encoding="UTF-8"?>\n{root}\n{body}</svg>\n'.encode()
+
+
+@dataclass(frozen=True, eq=False)
+class _Picture:
+    """Turns items into elements."""
+
+    camera: Camera
+    theme: Theme
+
+    def fill(self, role: str) -> str:
+        """The attributes of an area of that color."""
+        return _colored("fill", self.theme.color(role))
+
+    def stroke(self, role: str, width: float, dash: Dash = "solid") -> str:
+        """The attributes of a line of that color."""
+        attributes = f'{_colored("stroke", self.theme.color(role))} stroke-width="{_number(width)}"'
+        if dash == "solid":
+            return attributes
+        return f'{attributes} stroke-dasharray="{DASHES[dash]}" stroke-linecap="butt"'
+
+    @singledispatchmethod
+    def elements(self, item: Item) -> list[str]:
+        """The elements that draw an item."""
+        raise TypeError(f"an SVG picture draws no {type(item).__name__}")
+
+    @elements.register
+    def _(self, item: Polyline) -> list[str]:
+        screen, box = self.camera.to_screen(item.points), self._box()
+        pieces = clipped_polyline(screen, box) if reaches_beyond(screen, box) else [screen]
+        stroke = self.stroke(item.color, item.width, item.dash)
+        return [f'<polyline points="{_points(p)}" {stroke}/>' for p in pieces if len(p)]
+
+    @elements.register
+    def _(self, item: Polygon) -> list[str]:
+        screen, box = self.camera.to_screen(item.points), self._box()
+        if reaches_beyond(screen, box):
+            screen = clipped_polygon(screen, box)
+        paint = self.fill(item.fill)
+        if item.outline is not None:
+            paint += f" {self.stroke(item.outline, item.width)}"
+        return [f'<polygon points="{_points(screen)}" {paint}/>'] if len(screen) else []
+
+    @elements.register
+    def _(self, item: Segments) -> list[str]:
+        starts, ends = self.camera.to_screen(item.starts), self.camera.to_screen(item.ends)
+        box = self._box()
+        if len(starts) and (reaches_beyond(starts, box) or reaches_beyond(ends, box)):
+            starts, ends = clipped_segments(starts, ends, box)
+        if not len(starts):
+            return []
+        stroke = self.stroke(item.color, item.width, item.dash)
+        return [f'<path d="{_strokes(starts, ends)}" {stroke}/>']
+
+    @elements.register
+    def _(self, item: Markers) -> list[str]:
+        screen, (low, high) = self.camera.to_screen(item.points), self._box()
+        screen = screen[((screen >= low) & (screen <= high)).all(axis=1)]
+        if not len(screen):
+            return []
+        radius = (item.size - item.width) / 2.0
+        stroke = self.stroke(item.outline, item.width)
+        if item.mark == "cross":
+            arm = np.full(2, item.size / 2.0)
+            across = arm * (1.0, -1.0)
+            starts = np.concatenate([screen - arm, screen - across])
+            ends = np.concatenate([screen + arm, screen + across])
+            return [f'<path d="{_strokes(starts, ends)}" {stroke}/>']
+        if item.mark != "ring":
+            stroke += f" {self.fill('canvas' if item.fill is None else item.fill)}"
+        if item.mark in ("circle", "ring"):
+            marks = [f'<circle cx="{x}" cy="{y}" r="{_number(radius)}"/>' for x, y in _rows(screen)]
+        else:
+            form = radius * (DIAMOND if item.mark == "diamond" else SQUARE)
+            marks = [f'<polygon points="{_points(at + form)}"/>' for at in screen]
+        return [f"<g {stroke}>", *marks, "</g>"]
+
+    @elements.register
+    def _(self, item: Label) -> list[str]:
+        at = self.camera.to_screen(item.at[None])[0] + item.offset
+        if not (np.abs(at) < BEYOND * 10).all():
+            return []
+        ((x, y),) = _rows(at[None])
+        anchor = ANCHORS[item.anchor]
+        font = f'font-family={quoteattr(FONT)} font-size="{_number(item.size)}"'
+        text = escape("".join(c for c in item.text if c.isprintable()))
+        place = f'x="{x}" y="{y}" text-anchor="{anchor}"'
+        return [f"<text {place} {font} {self.fill(item.color)}>{text}</text>"]
+
+    def _box(self) -> Box:
+        return np.full(2, -BEYOND), np.array(self.camera.size) + BEYOND
+
+
+def _colored(name: str, color: str) -> str:
+    """`fill` or `stroke` of "#rrggbb" or "#rrggbbaa", which not every reader of SVG knows."""
+    attribute = f'{name}="{color[:7]}"'
+    if len(color) == 9:
+        attribute += f' {name}-opacity="{_number(int(color[7:], 16) / 255.0)}"'
+    return attribute
+
+
+def _number(value: float) -> str:
+    """A number for the eye."""
+    text = f"{value:.{DIGITS}f}".rstrip("0").rstrip(".")
+    return "0" if text == "-0" else text
+
+
+def _rows(screen: Floats) -> list[tuple[str, str]]:
+    return [(_number(x), _number(y)) for x, y in screen.tolist()]
+
+
+def _points(screen: Floats) -> str:
+    return " ".join(f"{x},{y}" for x, y in _rows(screen))
+
+
+def _strokes(starts: Floats, ends: Floats) -> str:
+    """Path data of separate segments."""
+    pairs = zip(_rows(starts), _rows(ends), strict=True)
+    return "".join(f"M{a} {b}L{c} {d}" for (a, b), (c, d) in pairs)
