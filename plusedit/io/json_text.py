@@ -68,7 +68,7 @@ def layout(value: object, indent: str = "", *, opened: int = 0) -> str:
         parts = [f"{encode(k)}: {layout(v, inner, opened=deeper)}" for k, v in value.items()]
         return _block("{", parts, "}", indent)
     if any(isinstance(entry, list | tuple | Mapping) for entry in value):
-        parts = [layout(entry, inner, opened=deeper) for entry in value]
+        parts = [_row(entry) or layout(entry, inner, opened=deeper) for entry in value]
     else:
         parts = _filled([encode(entry) for entry in value], WIDTH - len(inner))
     return _block("[", parts, "]", indent)
@@ -144,6 +144,21 @@ def _plain(value: object) -> object:
     if isinstance(value, Mapping):
         return dict(value)
     raise TypeError(f"{type(value).__name__} can't be written as JSON")
+
+
+def _row(value: object) -> str | None:
+    """A row of decimals or null, or None where `value` is more: the encoder takes far longer.
+
+    Whoever calls has encoded the whole before, so the numbers are known to be finite.
+    """
+    if value is None:
+        return "null"
+    if type(value) is not list or len(value) > 4:
+        return None
+    try:
+        return f"[{', '.join(map(float.__repr__, value))}]"
+    except TypeError:
+        return None
 
 
 def _block(opening: str, parts: list[str], closing: str, indent: str) -> str:
