@@ -19,6 +19,9 @@ from plusedit.geometry.tessellate import is_fine, tessellation
 from plusedit.scene.camera import PlaneCamera
 
 TOLERANCE = 0.25  # pixels
+AHEAD = (
+    0.5  # of the tolerance: a new grid is that fine, so that it lasts while the curve is dragged
+)
 REUSED_UP_TO = 2048  # parameters: a longer grid is made for one curve, and too much for others
 
 Window = tuple[float, float, float, float]
@@ -61,7 +64,7 @@ def _grid(curve: PlusCurve, tolerance: float, window: Window, axes: tuple[int, i
     recent = _RECENT.get((curve.basis, tolerance, window, axes))
     if recent is not None and is_fine(curve, recent, tolerance, window=seen, axes=axes):
         return recent
-    grid = tessellation(curve, tolerance, window=seen, axes=axes)
+    grid = tessellation(curve, AHEAD * tolerance, window=seen, axes=axes)
     if len(grid) <= REUSED_UP_TO:
         _RECENT.keep((curve.basis, tolerance, window, axes), grid)
     return grid

@@ -68,14 +68,14 @@ def handle_shapes(
     design: Design, selection: Selection, options: ViewOptions
 ) -> tuple[ShapeId, ...]:
     """The shapes whose control lines are shown, back to front; only those that can be edited."""
-    shown = [
-        (shape_id, len(curve.lines))
-        for shape_id, curve in design.curves()
-        if design[shape_id].editable
-    ]
-    everyone = options.handles == "all" or (
-        options.handles == "auto" and sum(count for _, count in shown) <= ALL_UP_TO
-    )
     if options.handles == "none":
         return ()
-    return tuple(i for i, _ in shown if everyone or i in selection.shapes)
+    shown = {
+        shape_id: len(shape.curve.lines)
+        for shape_id, shape in design.shapes.items()
+        if shape.curve is not None and shape.editable
+    }
+    everyone = options.handles == "all" or (
+        options.handles == "auto" and sum(shown.values()) <= ALL_UP_TO
+    )
+    return tuple(i for i in shown if everyone or i in selection.shapes)
