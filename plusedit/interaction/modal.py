@@ -15,7 +15,7 @@ from plusedit.interaction.picking import in_world, seen_plane
 from plusedit.interaction.readout import number, thread
 from plusedit.interaction.snapping import AXES, ROUND_ANGLE, to_step
 from plusedit.interaction.tool import Drag, Feedback, Held, Pointer, Shown, Stage
-from plusedit.interaction.turning import DEAD, Slowed, Swing, turn_drag, turned_about
+from plusedit.interaction.turning import TOO_NEAR, Slowed, Swing, turn_drag, turned_about
 from plusedit.scene.items import Item
 
 NEAR = 100.0  # pixels that double the size where the pointer began on the center itself
@@ -110,7 +110,7 @@ def centroid(design: Design, targets: Targets) -> Floats:
 def _ratio(center: Floats, start: Floats, now: Floats) -> float:
     """How much farther from the center the pointer is than it was."""
     before = hypot(*(start - center))
-    if before < DEAD:
+    if before < TOO_NEAR:
         return 1.0 + float(now[0] - start[0]) / NEAR
     return hypot(*(now - center)) / before
 

@@ -17,8 +17,9 @@ from plusedit.interaction.tool import Drag, Feedback, Held, Pointer, Shown, Stag
 
 SLOW = 0.1  # of the pointer's angle while Shift is held
 
-DEAD = 4.0  # pixels around the center in which the pointer has no angle worth following
-THROUGH = 8.0  # pixels: a way that passes the center nearer than that goes through it
+DEAD = 12.0  # pixels around the center in which the pointer has no angle worth following
+OF_START = 0.6  # of the distance at the start: a short handle has a smaller dead center
+TOO_NEAR = 4.0  # pixels: from there no angle can be told
 
 HINT = "Drag to rotate · Ctrl snaps to 15° · Shift is slow · Alt stretches · type degrees · Esc"
 
@@ -33,14 +34,17 @@ class Swing:
     def __init__(self, center: Floats, start: Floats) -> None:
         self._center = center
         self._from = self._before = start - center
-        if hypot(*self._from) < DEAD:
-            self._from = self._before = np.array([2.0 * DEAD, 0.0])
+        distance = hypot(*self._from)
+        self._dead = min(DEAD, OF_START * distance)
+        self._has_begun = distance >= TOO_NEAR
         self._angle = 0.0
 
     def to(self, at: Floats) -> float:
         """The angle in radians, counter-clockwise as seen, from the start to `at`."""
         now = at - self._center
-        if hypot(*now) < DEAD:
+        if not self._has_begun:
+            self._begin(now)
+        if hypot(*now) < self._dead or not self._has_begun:
             return self._angle
         period = pi if self._passes_through(now) else 2.0 * pi
         step = _angle(self._before, now)
@@ -50,13 +54,19 @@ class Swing:
         self._before = now
         return self._angle
 
+    def _begin(self, now: Floats) -> None:
+        """Begin where the pointer comes far enough from the center, having started on it."""
+        if hypot(*now) >= TOO_NEAR:
+            self._from = self._before = now
+            self._dead, self._has_begun = TOO_NEAR, True
+
     def _passes_through(self, now: Floats) -> bool:
         way = now - self._before
         square = float(way @ way)
         if square == 0.0:
             return False
         share = min(1.0, max(0.0, float(-self._before @ way) / square))
-        return hypot(*(self._before + share * way)) < THROUGH
+        return hypot(*(self._before + share * way)) < self._dead
 
 
 def _angle(first: Floats, second: Floats) -> float:
