@@ -248,7 +248,7 @@ def figure_6() -> Design:
 
 def clef() -> Design:
     """One open curve of 16 control lines on five straight ones."""
-    staff = [bezier(((-2.2, y), (2.2, y)), 0.5) for y in range(5)]
+    staff = [bezier(((-2.2, y), (2.2, y)), 0.0) for y in range(5)]
     layers: list[Layer] = [("staff line", line, Style(GRAY, 1.0)) for line in staff]
     layers.append(("clef", bspline(CLEF, 0.6), Style(BLUE, 6.0)))
     about = "A treble clef: one B-spline+ curve of 16 control lines. It passes near its points."

@@ -62,7 +62,7 @@ explain() {
   tail -n 12 "$1" | sed 's/^/    /' >&2
   if grep -qiE 'no space left|not enough free space' "$1"; then
     why="the disk is full"
-  elif grep -qiE 'could not resolve|temporary failure (in name|resolving)|name or service not known|failed to establish|connection refused|network is unreachable|timed out|could not connect|unable to connect' "$1"; then
+  elif grep -qiE 'could not resolve|temporary failure (in name|resolving)|name or service not known|failed to establish|connection refused|network is unreachable|timed out|could not connect|unable to connect|failed to fetch' "$1"; then
     why="the network, or the package server, can't be reached"
   elif grep -qiE 'permission denied|read-only file system' "$1"; then
     why="something may not be written here"
@@ -130,13 +130,14 @@ resolve() {
 # apt WORDS...: apt-get as root, what it says kept in a log.
 apt() {
   # An empty array counts as unset to the bash of macOS and to old ones.
-  ${root[@]+"${root[@]}"} env DEBIAN_FRONTEND=noninteractive apt-get -q -y -o DPkg::Lock::Timeout=120 "$@" >"$scratch/apt.log" 2>&1
+  ${root[@]+"${root[@]}"} env DEBIAN_FRONTEND=noninteractive apt-get -q -y \
+    -o DPkg::Lock::Timeout=120 -o APT::Update::Error-Mode=any "$@" >"$scratch/apt.log" 2>&1
 }
 
 # install_packages ALTERNATIVES...: through apt.
 install_packages() {
   local stale=
-  command -v apt-get >/dev/null || give_up "there is no apt here. Install what these Debian packages hold, then run this again: $*"
+  command -v apt-get >/dev/null || give_up "there is no apt here. Install what these Debian packages hold, then run this again: ${*##*,}"
   resolve "$@" || stale=1
   become_root "${names[*]}"
   if [ -n "$stale" ]; then
