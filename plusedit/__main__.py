@@ -66,8 +66,7 @@ def main(argv: list[str] | None = None) -> int:
 
 def main_window() -> int:
     """What starts without a terminal: the window, which shows itself what is wrong with files."""
-    os.environ["PLUSEDIT_WINDOW_TELLS"] = "1"
-    return main(["open", *sys.argv[1:]])
+    return main(["open", "--window-tells", *sys.argv[1:]])
 
 
 def commands() -> dict[str, Command]:

@@ -1,7 +1,6 @@
 """`plusedit open`: the editor."""
 
 import argparse
-import os
 import sys
 
 from plusedit.machine import display, install_command, missing, needed_libraries
@@ -17,10 +16,12 @@ NO_DISPLAY = (
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("files", metavar="FILE", nargs="*", help="designs or SVG files")
+    # Where there is no terminal, a file that can't be read is told in the window.
+    parser.add_argument("--window-tells", action="store_true", help=argparse.SUPPRESS)
 
 
 def run(arguments: argparse.Namespace) -> int:
-    if "PLUSEDIT_WINDOW_TELLS" not in os.environ:
+    if not arguments.window_tells:
         _check(arguments.files)
     if trouble := _no_window():
         print(f"plusedit: {trouble}", file=sys.stderr)

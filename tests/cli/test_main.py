@@ -130,11 +130,3 @@ def test_a_full_disk_behind_standard_output_is_told(document):
     assert done.returncode == 2
     assert done.stderr.splitlines()[-1] == "plusedit: No space left on device"
     assert "Traceback" not in done.stderr
-
-
-def test_the_gui_script_leaves_it_to_the_window_to_tell(monkeypatch, opened):
-    monkeypatch.setattr(sys, "argv", ["plusedit-gui", "bow.json"])
-    monkeypatch.delenv("PLUSEDIT_WINDOW_TELLS", raising=False)
-    assert command_line.main_window() == 0
-    assert opened == [["bow.json"]]
-    assert os.environ.pop("PLUSEDIT_WINDOW_TELLS") == "1"

@@ -1,14 +1,12 @@
 """`plusedit open`: what keeps the window from opening is said before."""
 
-import argparse
-
 import pytest
 
 from plusedit import machine
-from plusedit.__main__ import main
+from plusedit.__main__ import main, main_window
 from plusedit.cli import open as opening
 
-WITHOUT = ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM", "PLUSEDIT_WINDOW_TELLS")
+WITHOUT = ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM")
 
 
 @pytest.fixture
@@ -41,10 +39,10 @@ def test_missing_libraries_are_named_with_what_installs_them(monkeypatch, capsys
 
 
 @pytest.mark.usefixtures("no_display")
-def test_the_window_is_left_to_tell_of_files(monkeypatch, tmp_path):
-    monkeypatch.setenv("PLUSEDIT_WINDOW_TELLS", "1")
-    code = opening.run(argparse.Namespace(files=[str(tmp_path / "bow.json")]))
-    assert code == 2  # there is no display; the file was not looked at
+def test_the_window_is_left_to_tell_of_files(monkeypatch, tmp_path, capsys):
+    monkeypatch.setattr("sys.argv", ["plusedit-gui", str(tmp_path / "bow.json")])
+    assert main_window() == 2
+    assert "no display" in capsys.readouterr().err
 
 
 @pytest.mark.usefixtures("no_display")
