@@ -129,10 +129,13 @@ def edit_lines(
 
     def edited(shape_id: ShapeId, curve: PlusCurve) -> PlusCurve:
         rows = list(targets[shape_id])
-        missing = [row for row in rows if not 0 <= row < len(curve.lines)]
-        if missing:
-            raise EditError(f"{design[shape_id].name} has no control line {missing[0] + 1}")
-        lines = edit(shape_id, curve, rows) if rows else curve.lines
+        if not rows:
+            return curve
+        count = len(curve.lines)
+        if min(rows) < 0 or max(rows) >= count:
+            missing = next(row for row in rows if not 0 <= row < count)
+            raise EditError(f"{design[shape_id].name} has no control line {missing + 1}")
+        lines = edit(shape_id, curve, rows)
         return curve if lines is curve.lines else replace(curve, lines=lines)
 
     return edit_curves(design, targets, edited)

@@ -6,7 +6,7 @@ them is a handful of array operations.
 """
 
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import Literal
 
 import numpy as np
@@ -63,6 +63,11 @@ class Field:
     """(k,) of the control lines"""
     shapes: tuple[ShapeId, ...]
 
+    @cached_property
+    def x(self) -> Floats:
+        """(k,) the first column of `at`, side by side in memory."""
+        return np.ascontiguousarray(self.at[:, 0])
+
 
 @dataclass(frozen=True, eq=False)
 class Outlines:
@@ -76,6 +81,12 @@ class Outlines:
     owners: NDArray[np.intp]
     shapes: tuple[ShapeId, ...]
 
+    @cached_property
+    def sides(self) -> tuple[Floats, Floats]:
+        """(k,) the smaller and the larger x of each segment."""
+        x, y = self.starts[:, 0], self.ends[:, 0]
+        return np.minimum(x, y), np.maximum(x, y)
+
 
 def handles_under(
     at: Floats, stage: Stage, reach: float = REACH, *, selected_first: bool = True
@@ -83,16 +94,19 @@ def handles_under(
     """Dots and grips within `reach` pixels: nearest first, the selected first among equals."""
     shapes = handle_shapes(stage.design, stage.selection, stage.options)
     field = field_of(stage.design, shapes, stage.camera)
-    distances = np.hypot(*(field.at - at).T)
+    # One comparison leaves few of many: the rest is worked out for those.
+    rows = np.flatnonzero(np.abs(field.x - at[0]) <= reach)
+    distances = np.hypot(*(field.at[rows] - at).T)
     found = [
         Hit(
             "grip" if field.sides[row] else "dot",
             field.shapes[field.owners[row]],
             int(field.numbers[row]),
             int(field.sides[row]),
-            distance=float(distances[row]),
+            distance=float(distance),
         )
-        for row in np.flatnonzero(distances <= reach)
+        for row, distance in zip(rows, distances, strict=True)
+        if distance <= reach
     ]
     order = {shape_id: -place for place, shape_id in enumerate(field.shapes)}
     lines = stage.selection.lines if selected_first else frozenset()
@@ -113,18 +127,21 @@ def curves_under(at: Floats, stage: Stage, reach: float = REACH) -> list[Hit]:
     outlines = outlines_of(stage.design, stage.camera)
     if not len(outlines.starts):
         return []
-    along, distances = nearest_on_segments(at, outlines.starts, outlines.ends)
-    near = np.flatnonzero(distances <= reach)
-    found: dict[int, int] = {}
-    for row in near[np.argsort(distances[near], kind="stable")]:
-        found.setdefault(int(outlines.owners[row]), int(row))
-    hits = []
-    for owner, row in found.items():
+    left, right = outlines.sides
+    rows = np.flatnonzero((left <= at[0] + reach) & (right >= at[0] - reach))
+    along, distances = nearest_on_segments(at, outlines.starts[rows], outlines.ends[rows])
+    nearest: dict[int, Hit] = {}
+    for place in np.argsort(distances, kind="stable"):
+        if distances[place] > reach:
+            break
+        row = rows[place]
         first, last = outlines.parameters[row]
-        u = float(first + along[row] * (last - first))
-        hits.append(Hit("curve", outlines.shapes[owner], u=u, distance=float(distances[row])))
+        u = float(first + along[place] * (last - first))
+        owner = int(outlines.owners[row])
+        hit = Hit("curve", outlines.shapes[owner], u=u, distance=float(distances[place]))
+        nearest.setdefault(owner, hit)
     front = {shape_id: -place for place, shape_id in enumerate(outlines.shapes)}
-    return sorted(hits, key=lambda hit: (round(hit.distance / TIE), front[hit.shape]))
+    return sorted(nearest.values(), key=lambda hit: (round(hit.distance / TIE), front[hit.shape]))
 
 
 def all_under(at: Floats, stage: Stage, reach: float = REACH) -> list[Hit]:
