@@ -1,8 +1,10 @@
 """What velocity and acceleration say of a curve, whatever its parameter."""
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from plusedit.geometry.arrays import Floats, unit
+from plusedit.geometry.curve import PlusCurve
 
 
 def curvature(velocity: Floats, acceleration: Floats) -> Floats:
@@ -42,6 +44,14 @@ def space_curvature(velocity: Floats, acceleration: Floats) -> Floats:
     tangent = unit(velocity)
     along = (acceleration * tangent).sum(axis=1, keepdims=True) * tangent
     return _over_speed_squared(np.linalg.norm(acceleration - along, axis=1), velocity)
+
+
+def curvature_at(curve: PlusCurve, u: ArrayLike) -> Floats:
+    """(m,) curvature of the curve at u: signed if it is plane, else `space_curvature`."""
+    _, velocity, acceleration = curve.derivatives(u)
+    if curve.dimension == 2:
+        return curvature(velocity, acceleration)
+    return space_curvature(velocity, acceleration)
 
 
 def _over_speed_squared(across: Floats, velocity: Floats) -> Floats:

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from plusedit.geometry.frames import curvature, space_curvature
+from plusedit.geometry.frames import curvature, curvature_at, space_curvature
 from tests.geometry.curves import random_curve
 
 
@@ -67,3 +67,10 @@ def test_it_is_the_rate_at_which_the_tangent_turns(kind):
     )
     way = 2.0 * step * np.linalg.norm(velocity, axis=1)
     assert_allclose(curvature(velocity, acceleration), turn / way, rtol=1e-4)
+
+
+def test_of_a_plane_curve_it_has_a_sign_and_of_a_space_curve_none():
+    plane, space = random_curve("bezier", seed=5), random_curve("bezier", seed=5, dimension=3)
+    u = np.linspace(0.0, 1.0, 50)
+    assert curvature_at(plane, u).min() < 0.0
+    assert curvature_at(space, u).min() >= 0.0
