@@ -1,6 +1,7 @@
 """Edits of how many control lines a curve has."""
 
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 from plusedit.commands.base import Command, Targets, counted, edit_curves, unlocked
 from plusedit.document.design import Design, EditError
@@ -66,15 +67,17 @@ class InsertLine(Command):
         return "Insert control line"
 
     def apply(self, design: Design) -> Design:
-        return edit_curves(design, [self.shape_id], lambda _, curve: self._inserted(curve)[0])
+        return edit_curves(design, [self.shape_id], lambda _, curve: inserted(curve, self.u)[0])
 
     def reselect(self, selection: Selection, old: Design, new: Design) -> Selection:
-        return Selection.of_lines(
-            [LineId(self.shape_id, self._inserted(old.curve(self.shape_id))[1])]
-        )
+        number = inserted(old.curve(self.shape_id), self.u)[1]
+        return Selection.of_lines([LineId(self.shape_id, number)])
 
-    def _inserted(self, curve: PlusCurve) -> tuple[PlusCurve, int]:
-        return insert_line(curve, self.u)
+
+@lru_cache(maxsize=4)
+def inserted(curve: PlusCurve, u: float) -> tuple[PlusCurve, int]:
+    """The curve with one more line, and its number; the same objects while a drag asks again."""
+    return insert_line(curve, u)
 
 
 @dataclass(frozen=True, eq=False)

@@ -6,15 +6,15 @@ design is the very object it was before.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import hypot
 
-from plusedit.commands.base import Command
 from plusedit.document.design import EditError
 from plusedit.document.selection import Selection
 from plusedit.document.session import Session
 from plusedit.events import Event
 from plusedit.interaction.modal import modal_drags
+from plusedit.interaction.running import Running, means_something
 from plusedit.interaction.tool import (
     Drag,
     Feedback,
@@ -27,32 +27,12 @@ from plusedit.interaction.tool import (
     Tool,
     tools,
 )
-from plusedit.interaction.typed import NOTHING_TYPED, Typed
 from plusedit.scene.camera import Camera
 from plusedit.scene.options import ViewOptions
 
 DRAG_STARTS_AT = 3.0  # pixels; a press and release within it is a click
 
 FIRST_TOOL = "select"
-
-AXES = ("X", "Y", "Z")
-
-
-@dataclass(eq=False)
-class _Running:
-    """The drag under way."""
-
-    drag: Drag
-    stage: Stage
-    modal: bool
-    """begun by a key: it follows the pointer without a button, and a press accepts it"""
-    pointer: Pointer
-    selection: Selection
-    """what was selected before"""
-    command: Command | None = None
-    """the last one that could be shown"""
-    typed: Typed = NOTHING_TYPED
-    axis: str | None = None
 
 
 class Gestures:
@@ -71,7 +51,7 @@ class Gestures:
         self._tool_name = tool
         self._tool: Tool = tools[tool]()
         self._pressed: Pointer | None = None
-        self._running: _Running | None = None
+        self._running: Running | None = None
         self._pointer: Pointer | None = None
         session.changed.listen(lambda old, new: self._look_again())
         session.selected.listen(lambda old, new: self._look_again())
@@ -116,10 +96,20 @@ class Gestures:
             self._look_again()
 
     def double_click(self, at: Pointer) -> None:
-        """The second press of a double click."""
+        """The second press of a double click; to a tool that has no use for it, just a press."""
+        if self._running is not None:
+            self.press(at)
+            return
         self._pressed, self._pointer = None, at
-        if self._running is None:
-            self.perform_by(lambda: self._tool.double_click(at, self.stage()))
+        try:
+            outcome = self._tool.double_click(at, self.stage())
+        except EditError as error:
+            self.feedback.emit(Feedback(error=str(error)))
+            return
+        if outcome is None:
+            self.press(at)
+        else:
+            self.perform(outcome)
             self._look_again()
 
     def hold(self, held: Held) -> None:
@@ -146,8 +136,7 @@ class Gestures:
         key, chord = _name(key), bool(held & (Held.CTRL | Held.ALT))
         if self.is_busy:
             # Ctrl and Alt are held to snap and to stretch; only undo is never meant for a drag.
-            means = key in ("Enter", "Escape", *AXES) or NOTHING_TYPED.after(key) is not None
-            return means and not (chord and key == "Z")
+            return means_something(key) and not (chord and key == "Z")
         if chord:
             return False
         return key in self._tool.keys(self.stage()) or self._leaves_tool(key)
@@ -245,7 +234,7 @@ class Gestures:
         except EditError as error:
             self.feedback.emit(Feedback(error=str(error)))
             return
-        self._running = _Running(drag, stage, modal, at, stage.selection)
+        self._running = Running(drag, stage, modal, at, stage.selection)
         self._show(self._running, first)
 
     def _follow(self, to: Pointer) -> None:
@@ -257,9 +246,8 @@ class Gestures:
             self._running = None
             running.drag.close()
             return
-        running.pointer = to
         try:
-            shown = running.drag.send(replace(to, typed=running.typed.values, axis=running.axis))
+            shown = running.answer(to, self.camera)
         except StopIteration:
             self._finish()
             return
@@ -268,7 +256,7 @@ class Gestures:
             return
         self._show(running, shown)
 
-    def _show(self, running: _Running, shown: Shown) -> None:
+    def _show(self, running: Running, shown: Shown) -> None:
         outcome, feedback = shown.outcome, shown.feedback
         try:
             if isinstance(outcome, Selection):
@@ -280,6 +268,7 @@ class Gestures:
             # What was shown before stays, and is what would be committed.
             feedback = replace(feedback, error=str(error))
         if shown.pan != (0.0, 0.0):
+            running.pans = True
             self.panned.emit(*shown.pan)
         self.feedback.emit(feedback)
 
@@ -294,19 +283,13 @@ class Gestures:
             self._session.commit(running.command)
         self._look_again()
 
-    def _key_of_drag(self, running: _Running, key: str) -> None:
+    def _key_of_drag(self, running: Running, key: str) -> None:
         if key == "Escape":
             self.cancel()
         elif key == "Enter":
             self._finish()
-        elif key in AXES:
-            running.axis = None if running.axis == key.lower() else key.lower()
+        elif running.takes(key):
             self._follow(running.pointer)
-        else:
-            typed = running.typed.after(key)
-            if typed is not None:
-                running.typed = typed
-                self._follow(running.pointer)
 
     def _look_again(self) -> None:
         """Say and show what is under the pointer now, unless a drag or nobody is there."""

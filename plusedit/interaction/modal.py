@@ -21,6 +21,10 @@ from plusedit.scene.items import Item
 NEAR = 100.0  # pixels that double the size where the pointer began on the center itself
 
 TURN_HINT = "Rotate · Ctrl snaps to 15° · Shift is slow · type degrees · Enter or click accepts"
+SINGLE_HINT = (
+    "Rotate the direction of this one line · Ctrl snaps to 15° · Shift is slow · "
+    "type degrees · Enter or click accepts"
+)
 SCALE_HINT = "Scale · X, Y along an axis · Ctrl snaps to tenths · Shift is slow · type a factor"
 
 
@@ -35,7 +39,7 @@ def turn_selected(start: Pointer, stage: Stage) -> Drag:
     targets = chosen(stage)
     line = single(targets)
     if line is not None:
-        return turn_drag(start, stage, targets, line)
+        return turn_drag(start, stage, targets, line, hint=SINGLE_HINT)
     return _turn_all(start, stage, targets)
 
 

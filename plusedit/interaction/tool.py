@@ -121,7 +121,10 @@ class Tool(Protocol):
         ...
 
     def double_click(self, at: Pointer, stage: Stage) -> Outcome:
-        """The second of two quick clicks; the first was a `click`."""
+        """The second of two quick clicks; the first was a `click`.
+
+        None: this is a press like any other, of a click or a drag.
+        """
         ...
 
     def hover(self, at: Pointer, stage: Stage) -> Feedback:

@@ -100,6 +100,7 @@ def turn_drag(
     held: LineId,
     side: int = 1,
     selection: Selection | None = None,
+    hint: str = HINT,
 ) -> Drag:
     """Turn the directions of `targets` by the angle that the pointer goes round the line `held`.
 
@@ -110,7 +111,7 @@ def turn_drag(
     grip = Grip(curve, held, side, seen_plane(stage.camera))
     center = stage.camera.to_screen(grip.point[None])[0]
     swing, slowed = Swing(center, start.at), Slowed()
-    now = yield Shown(selection, Feedback(hint=HINT, cursor="turn"))
+    now = yield Shown(selection, Feedback(hint=hint, cursor="turn"))
     edit: Turn | None
     while True:
         angle = slowed.of(swing.to(now.at), slow=Held.SHIFT in now.held)
@@ -123,7 +124,7 @@ def turn_drag(
             edit, text = grip.snapped(targets, angle)
         else:
             edit, text = grip.by(targets, angle)
-        now = yield Shown(edit, Feedback(hint=HINT, readout=text, cursor="turn"))
+        now = yield Shown(edit, Feedback(hint=hint, readout=text, cursor="turn"))
 
 
 def pull_drag(start: Pointer, stage: Stage, held: LineId, selection: Selection) -> Drag:
@@ -193,7 +194,8 @@ class Grip:
         by = goal - self.angle if before > 0.0 else 0.0
         factor = length / before if before > 0.0 else 1.0
         landing = Landing(self._line.shape, self._line.number, self._placed(flat))
-        text = f"length {number(length, 2)}  angle {number(degrees(goal), 1)}°"
+        size = f"{number(factor, 2)}×" if before > 0.0 else number(length, 2)
+        text = f"length {size}  angle {number(degrees(goal), 1)}°"
         return Turn(targets, by, self._plane, factor, landing), text
 
     def _placed(self, flat: Floats) -> Floats:

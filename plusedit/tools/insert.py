@@ -43,8 +43,8 @@ class Insert:
         return None if hit is None else InsertLine(hit.shape, hit.u)
 
     def double_click(self, at: Pointer, stage: Stage) -> Outcome:
-        """Nothing: the first click has inserted."""
-        return None
+        """Nothing more: the first click has inserted."""
+        return stage.selection
 
     def hover(self, at: Pointer, stage: Stage) -> Feedback:
         """Where the line would come."""

@@ -29,7 +29,7 @@ class Pan:
         return None
 
     def double_click(self, at: Pointer, stage: Stage) -> Outcome:
-        """Nothing."""
+        """A press like any other."""
         return None
 
     def hover(self, at: Pointer, stage: Stage) -> Feedback:

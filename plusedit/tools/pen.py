@@ -87,7 +87,7 @@ class Pen:
 
     def double_click(self, at: Pointer, stage: Stage) -> Outcome:
         """The curve is done; its last line came with the first click."""
-        return self._end(stage)
+        return self._end(stage) or stage.selection
 
     def hover(self, at: Pointer, stage: Stage) -> Feedback:
         """The curve as it would be with a line at the pointer."""

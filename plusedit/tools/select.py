@@ -79,7 +79,7 @@ class Select:
         return NOTHING_SELECTED
 
     def double_click(self, at: Pointer, stage: Stage) -> Outcome:
-        """On a grip: back to automatic. On a curve: all its lines."""
+        """On a grip: back to automatic. On a curve: all its lines. Elsewhere a press."""
         hit = under(at.at, stage)
         if hit is None:
             return None

@@ -175,3 +175,20 @@ def test_a_release_without_a_press_does_nothing():
     before = hand.session.design
     hand.gestures.release(hand.at(DOT_1))
     assert hand.session.design is before and hand.numbers == (3,)
+
+
+def test_a_second_quick_press_on_a_dot_begins_a_drag_like_any_other():
+    hand = Hand()
+    hand.click(DOT_1)
+    hand.gestures.double_click(hand.at(DOT_1))
+    hand.gestures.move(hand.at(AWAY))
+    hand.gestures.release(hand.at(AWAY))
+    np.testing.assert_allclose(hand.points()[1], AWAY)
+
+
+def test_a_drag_goes_on_where_the_pointer_is_while_the_view_zooms():
+    hand = Hand()
+    hand.hold(DOT_1, AWAY)
+    hand.gestures.camera = hand.gestures.camera.zoomed(3.0, (100.0, 50.0))
+    hand.gestures.move(hand.at((0.7, 1.9)))
+    np.testing.assert_allclose(hand.points()[1], [0.7, 1.9], atol=1e-12)
