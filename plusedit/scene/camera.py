@@ -1,6 +1,7 @@
 """Cameras: from the world to the screen and back, without a window."""
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Literal, Protocol, TypeAlias
 
 import numpy as np
@@ -69,14 +70,26 @@ class PlaneCamera:
         return points[:, [across, up]]
 
     def to_screen(self, points: Floats) -> Floats:
-        seen = (self.plane(points) - self.center) * (self.scale, -self.scale)
-        screen: Floats = seen + np.array(self.size) / 2.0
+        # The center first: far from the origin, what is left of both is exact.
+        screen: Floats = (self.plane(points) - self._middle) * self._factors + self._half
         return screen
+
+    @cached_property
+    def _middle(self) -> Floats:
+        return np.array(self.center)
+
+    @cached_property
+    def _factors(self) -> Floats:
+        return np.array([self.scale, -self.scale])
+
+    @cached_property
+    def _half(self) -> Floats:
+        """(2,) the pixel in the middle."""
+        return np.array(self.size) / 2.0
 
     def in_plane(self, screen: Floats) -> Floats:
         """(m, 2) the two coordinates that are seen at pixels (m, 2)."""
-        offset = np.asarray(screen) - np.array(self.size) / 2.0
-        seen: Floats = offset / (self.scale, -self.scale) + self.center
+        seen: Floats = (np.asarray(screen) - self._half) / self._factors + self._middle
         return seen
 
     def placed(self, seen: Floats) -> Floats:

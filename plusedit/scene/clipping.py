@@ -16,6 +16,9 @@ Box = tuple[Floats, Floats]
 def reaches_beyond(points: Floats, box: Box) -> bool:
     """Whether any of the points (m, 2) lies outside."""
     low, high = box
+    # Two numbers for all settle it nearly always, and are found several times faster.
+    if points.min() >= low.max() and points.max() <= high.min():
+        return False
     return bool((points.min(axis=0) < low).any() or (points.max(axis=0) > high).any())
 
 

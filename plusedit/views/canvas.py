@@ -7,7 +7,7 @@ what comes back is drawn.
 from collections.abc import Callable, Collection
 from dataclasses import replace
 
-from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, Qt, Signal
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QContextMenuEvent,
     QFocusEvent,
@@ -37,6 +37,7 @@ from plusedit.views.pointer import held_after, key_of, pointer_of
 from plusedit.views.strata import Look, Strata, beside_rulers
 
 MARGIN = 48.0  # pixels around what is framed
+RESTS_AFTER = 120  # milliseconds without a move of the view
 
 
 class PlaneCanvas(PlaneView):
@@ -56,6 +57,8 @@ class PlaneCanvas(PlaneView):
         self._strata = Strata()
         self._pointer: Pointer | None = None
         self._frame_at_first = True
+        self._rest = QTimer(self, singleShot=True, interval=RESTS_AFTER)
+        self._rest.timeout.connect(self.update)
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setMinimumSize(160, 120)
         self.setAccessibleName("Drawing")
@@ -130,6 +133,7 @@ class PlaneCanvas(PlaneView):
             self._theme,
             self._session.selection,
             self.devicePixelRatioF(),
+            draft=self._rest.isActive(),
         )
         painter = QPainter(self)
         self._strata.paint(painter, self._session.design, look)
@@ -160,6 +164,8 @@ class PlaneCanvas(PlaneView):
     def _camera_moved(self) -> None:
         self._gestures.camera = self.camera
         self._gestures.grid_step = self.grid_step
+        if self._strata.is_slow:
+            self._rest.start()
         super()._camera_moved()
 
     def _frame(self, shapes: Collection[ShapeId] | None) -> None:

@@ -26,6 +26,7 @@ from plusedit.scene.theme import Theme
 from plusedit.views.arrays import polygon_of
 
 BEYOND = 2000.0  # pixels around the view within which lines are drawn as they are
+THIN = 1.0  # pixels; Qt has a quick way of its own for lines up to that
 SHARPEST = 4.0  # widths that the tip of a corner may stand out by
 DASHES = {"dash": [6.0, 4.0], "dot": [2.0, 3.0]}  # pixels
 
@@ -37,6 +38,8 @@ class ItemPainter:
     painter: QPainter
     camera: Camera
     theme: Theme
+    draft: bool = False
+    """whether to save time where only a still picture would show it"""
 
     def paint(self, items: Iterable[Item]) -> None:
         """Draw the items, the first one farthest back."""
@@ -90,8 +93,15 @@ def _(item: Polyline, to: ItemPainter) -> None:
     screen = to.camera.to_screen(item.points)
     pieces = clipped_polyline(screen, to.box) if reaches_beyond(screen, to.box) else [screen]
     to.pen(item.color, item.width, item.dash)
+    # Chords on their own, without joins, take a quarter of the time.
+    alone = to.draft and item.width > THIN and item.dash == "solid"
+    if alone:
+        to.painter.setPen(_with_flat_ends(to.painter.pen()))
     for piece in pieces:
-        to.painter.drawPolyline(polygon_of(piece))
+        if alone:
+            to.segments(piece[:-1], piece[1:])
+        else:
+            to.painter.drawPolyline(polygon_of(piece))
 
 
 @_draw.register
@@ -184,6 +194,12 @@ def pen_of(color: str, width: float, dash: str) -> QPen:
     if dash != "solid":
         pen.setDashPattern([length / max(width, 1.0) for length in DASHES[dash]])
     return pen
+
+
+def _with_flat_ends(pen: QPen) -> QPen:
+    flat = QPen(pen)
+    flat.setCapStyle(Qt.PenCapStyle.FlatCap)
+    return flat
 
 
 @lru_cache(maxsize=16)

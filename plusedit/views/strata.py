@@ -6,6 +6,7 @@ shape costs, however many others there are.
 
 from collections.abc import Collection
 from dataclasses import dataclass
+from time import perf_counter
 
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QPainter, QPixmap
@@ -20,6 +21,8 @@ from plusedit.scene.theme import Theme
 from plusedit.views.ground import RULER, paint_grid, paint_rulers
 from plusedit.views.painter import ItemPainter, color_of
 
+SLOW = 0.012  # seconds, for a frame
+
 
 @dataclass(frozen=True)
 class Look:
@@ -31,9 +34,8 @@ class Look:
     selection: Selection
     ratio: float
     """pixels of the device to a logical pixel"""
-
-    def __hash__(self) -> int:
-        return hash((self.camera, self.theme.name, self.ratio))
+    draft: bool = False
+    """whether the view is on its way elsewhere, and speed counts for more than smoothness"""
 
 
 class Strata:
@@ -47,11 +49,12 @@ class Strata:
         self._last = Design()
         """the design of the last frame"""
         self._pixmap = QPixmap()
+        self._seconds = 0.0
 
     @property
-    def moving(self) -> frozenset[ShapeId]:
-        """The shapes that are drawn anew in every frame."""
-        return self._moving
+    def is_slow(self) -> bool:
+        """Whether drawing everything took too long to be done in every frame."""
+        return self._seconds > SLOW
 
     def paint(self, painter: QPainter, design: Design, look: Look) -> None:
         """Draw the ground, all shapes and the rulers; what follows stays beside the rulers."""
@@ -70,6 +73,12 @@ class Strata:
         same_look = look == self._look
         self._moving = frozenset(changed(self._last, design)) if same_look else frozenset()
         self._look, self._still = look, design
+        start = perf_counter()
+        self._draw_still(design, look)
+        if not look.draft:
+            self._seconds = perf_counter() - start
+
+    def _draw_still(self, design: Design, look: Look) -> None:
         self._pixmap = _new_pixmap(look)
         painter = QPainter(self._pixmap)
         if look.options.grid:
@@ -107,4 +116,4 @@ def _paint_shapes(
     painter: QPainter, design: Design, look: Look, shapes: Collection[ShapeId]
 ) -> None:
     items = scene_items(design, look.camera, look.options, look.selection, only=frozenset(shapes))
-    ItemPainter(painter, look.camera, look.theme).paint(items)
+    ItemPainter(painter, look.camera, look.theme, look.draft).paint(items)
