@@ -41,7 +41,7 @@ def box(corner: Floats, other: Floats, camera: Camera) -> Item:
     """The rectangle between two pixels."""
     (left, top), (right, bottom) = corner, other
     pixels = np.array([(left, top), (right, top), (right, bottom), (left, bottom)])
-    return Polygon(in_world(pixels, camera), "#2563eb1f", "accent", 1.0)
+    return Polygon(in_world(pixels, camera), "accent@12", "accent", 1.0)
 
 
 def thread(points: Floats) -> Item:
