@@ -5,6 +5,7 @@ from numpy.typing import ArrayLike, NDArray
 
 Floats = NDArray[np.float64]
 
+SAFE = 1e-200  # squares from here to 1 / SAFE have lost nothing to the limits of a double
 LARGEST = 1e100  # squares and cubes of coordinates, as in curvature, still fit a double
 
 
@@ -16,14 +17,15 @@ def frozen(values: ArrayLike, *, shape: tuple[int | None, ...], name: str) -> Fl
     that is not finite, or one beyond 1e100.
     """
     array = np.array(values, dtype=np.float64)
-    fits = array.ndim == len(shape) and all(
-        want is None or want == have for want, have in zip(shape, array.shape, strict=True)
-    )
-    if not fits:
+    if array.shape != shape and (
+        array.ndim != len(shape)
+        or any(want not in (None, have) for want, have in zip(shape, array.shape, strict=True))
+    ):
         raise ValueError(f"{name}: expected shape {shape}, got {array.shape}")
-    if not np.isfinite(array).all():
-        raise ValueError(f"{name}: has a value that is not finite")
-    if array.size and np.abs(array).max() > LARGEST:
+    # Not a number is not less than anything, so one comparison finds all that is wrong.
+    if array.size and not np.abs(array).max() <= LARGEST:
+        if not np.isfinite(array).all():
+            raise ValueError(f"{name}: has a value that is not finite")
         raise ValueError(f"{name}: has a value beyond {LARGEST:g}, which can't be calculated with")
     array.flags.writeable = False
     return array
@@ -31,6 +33,10 @@ def frozen(values: ArrayLike, *, shape: tuple[int | None, ...], name: str) -> Fl
 
 def unit(vectors: Floats) -> Floats:
     """The vectors (..., dim) divided by their lengths; a zero vector stays zero."""
+    squares = np.einsum("...d,...d->...", vectors, vectors)
+    if squares.size and squares.min() >= SAFE and squares.max() <= 1.0 / SAFE:
+        plain: Floats = vectors / np.sqrt(squares)[..., None]
+        return plain
     largest = np.abs(vectors).max(axis=-1, keepdims=True)
     # Divided by the largest component first: the square of 1e-200 would be zero.
     scaled = np.divide(vectors, largest, out=np.zeros_like(vectors), where=largest > 0.0)

@@ -19,7 +19,7 @@ from plusedit.geometry.arrays import Floats
 from plusedit.geometry.bases import Basis, is_local
 from plusedit.geometry.matrices import Matrix, dense
 
-DENSE_UP_TO = 24  # control lines; beyond, skipping the zeros of a local basis pays
+DENSE_UP_TO = 80_000  # entries of a matrix; beyond, skipping the zeros of a local basis pays
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,8 +40,8 @@ class Grid:
 
     @classmethod
     def uniform(cls, count: int) -> "Grid":
-        """`count` evenly spaced parameters from 0 to 1."""
-        return cls(np.linspace(0.0, 1.0, count))
+        """`count` evenly spaced parameters from 0 to 1; the same object for the same count."""
+        return _uniform(count)
 
     def __len__(self) -> int:
         return len(self.parameters)
@@ -59,6 +59,11 @@ class Grid:
     @cached_property
     def _hash(self) -> int:
         return hash(self._bytes)
+
+
+@lru_cache(maxsize=32)
+def _uniform(count: int) -> Grid:
+    return Grid(np.linspace(0.0, 1.0, count))
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,7 +87,9 @@ def blend_at(basis: Basis, u: Floats, derivative: int = 0) -> Blend:
 def blend(basis: Basis, grid: Grid, derivative: int = 0) -> Blend:
     """The matrices at the parameters of `grid`; the same object for equal arguments."""
     made = blend_at(basis, grid.parameters, derivative)
-    return made if basis.size > DENSE_UP_TO else Blend(dense(made.values), dense(made.reaches))
+    if basis.size * len(grid) > DENSE_UP_TO:
+        return made
+    return Blend(dense(made.values), dense(made.reaches))
 
 
 def parameters_of(u: ArrayLike) -> Floats:

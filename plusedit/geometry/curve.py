@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from plusedit.geometry.arrays import LARGEST, Floats
-from plusedit.geometry.bases import Basis
+from plusedit.geometry.bases import Basis, is_local
 from plusedit.geometry.blend import Blend, Grid, blend, blend_at, parameters_of
 from plusedit.geometry.lines import ControlLines
 
@@ -90,7 +90,8 @@ class PlusCurve:
         return tuple(np.concatenate(rows) for rows in zip(*parts, strict=True))
 
     def _blocks(self, u: Floats) -> Iterator[Floats]:
-        step = max(1, BLOCK // self.basis.size)
+        width = self.basis.order if is_local(self.basis) else self.basis.size
+        step = max(1, BLOCK // width)
         if len(u) <= step:
             yield u
             return

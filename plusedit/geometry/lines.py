@@ -23,10 +23,11 @@ Flags = NDArray[np.bool_]
 
 def automatic_directions(points: Floats, *, closed: bool) -> Floats:
     """(n, dim) unit directions from neighbour to neighbour; zero where the two coincide."""
-    if closed:
-        return unit(np.roll(points, -1, axis=0) - np.roll(points, 1, axis=0))
-    padded = np.concatenate([points[:1], points, points[-1:]])
-    return unit(padded[2:] - padded[:-2])
+    around = np.empty_like(points)
+    around[1:-1] = points[2:] - points[:-2]
+    first, last = (points[-1], points[0]) if closed else (points[0], points[-1])
+    around[0], around[-1] = points[1] - first, last - points[-2]
+    return unit(around)
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,7 +58,11 @@ class ControlLines:
         if automatic.shape != (len(points),):
             raise ValueError(f"automatic: expected shape {(len(points),)}, got {automatic.shape}")
         automatic.flags.writeable = False
-        given = np.where(automatic[:, None], 0.0, self.given)
+        given: ArrayLike = self.given
+        if automatic.any():
+            given = np.zeros_like(points)
+            if not automatic.all():
+                np.copyto(given, self.given, where=~automatic[:, None])
         object.__setattr__(self, "points", points)
         object.__setattr__(self, "automatic", automatic)
         object.__setattr__(self, "given", frozen(given, shape=points.shape, name="directions"))
@@ -75,7 +80,7 @@ class ControlLines:
         weights: ArrayLike | None = None,
     ) -> "ControlLines":
         """Control lines at `points`; `directions` may hold None, or be None, for automatic ones."""
-        at = np.array(points, dtype=np.float64)
+        at = np.asarray(points, dtype=np.float64)
         if directions is None:
             return cls(at, np.zeros_like(at), np.ones(len(at), dtype=bool), _floats(weights))
         rows = list(directions)  # type: ignore[arg-type]
@@ -99,11 +104,18 @@ class ControlLines:
     def directions(self, *, closed: bool) -> Floats:
         """(n, dim) the directions d_i, automatic ones worked out; read-only."""
         if closed not in self._resolved:
-            automatic = automatic_directions(self.points, closed=closed)
-            rows = np.where(self.automatic[:, None], automatic, self.given)
-            rows.flags.writeable = False
+            rows = self.given
+            if self._automatic_count:
+                rows = automatic_directions(self.points, closed=closed)
+                if self._automatic_count < len(rows):
+                    rows = np.where(self.automatic[:, None], rows, self.given)
+                rows.flags.writeable = False
             self._resolved[closed] = rows
         return self._resolved[closed]
+
+    @cached_property
+    def _automatic_count(self) -> int:
+        return int(self.automatic.sum())
 
     @cached_property
     def unit_weights(self) -> Floats:
@@ -115,7 +127,16 @@ class ControlLines:
 
     def with_points(self, points: Floats) -> "ControlLines":
         """The same lines through other points; automatic directions follow them."""
-        return replace(self, points=points)
+        if len(points) != len(self):
+            return replace(self, points=points)
+        # The rest was checked when it came in; this is made for every frame of a drag.
+        made = object.__new__(ControlLines)
+        vars(made).update(vars(self))
+        resolved = {} if self._automatic_count else self._resolved
+        vars(made).update(
+            points=frozen(points, shape=self.points.shape, name="points"), _resolved=resolved
+        )
+        return made
 
     def with_direction(self, index: int, direction: Floats | None) -> "ControlLines":
         """The same lines but for one direction; None makes it automatic again."""

@@ -10,7 +10,10 @@ from plusedit.geometry.arrays import Floats
 
 @dataclass(frozen=True, eq=False)
 class Banded:
-    """A matrix (m, n) given by k entries a row; entries of the same column add up."""
+    """A matrix (m, n) given by k entries a row; entries of the same column add up.
+
+    Best as transposes of contiguous (k, m) arrays: products go along the m.
+    """
 
     columns: NDArray[np.intp]
     """(m, k) the column of each entry"""
@@ -22,13 +25,15 @@ class Banded:
     def __matmul__(self, rows: Floats) -> Floats:
         """(m, dim) the product with (n, dim), or (m,) with (n,).
 
-        k products of m numbers: for hundreds of control lines much less than the dense m x n.
+        k products of m numbers for each coordinate, one coordinate after the other in memory.
         """
+        columns, entries = self.columns.T, self.entries.T
         if rows.ndim == 1:
-            product: Floats = np.einsum("mk,mk->m", self.entries, rows[self.columns])
-        else:
-            product = np.einsum("mk,mkd->md", self.entries, rows[self.columns])
-        return product
+            product: Floats = np.einsum("km,km->m", entries, rows[columns])
+            return product
+        planar = np.take(np.ascontiguousarray(rows.T), columns, axis=1)
+        product = np.einsum("km,dkm->dm", entries, planar)
+        return product.T
 
     def dense(self) -> Floats:
         """The same matrix as an array (m, n)."""

@@ -54,6 +54,10 @@ class BSpline:
         """Cubic on uniform knots, of lower degree where there are fewer than 4 control lines."""
         return cls(size, min(4, size))
 
+    def __hash__(self) -> int:
+        # Asked for with every look into a cache, and there may be thousands of knots.
+        return self._hash
+
     @property
     def nodes(self) -> Floats:
         return self._nodes
@@ -94,8 +98,8 @@ class BSpline:
     def _open(self, u: Floats) -> "_Place":
         u, t, k = clamped(u), self._knots, self.order
         span = np.clip(np.searchsorted(t, u, side="right") - 1, k - 1, self.size - 1)
-        columns = span[:, None] + np.arange(1 - k, 1)
-        return _Place(u, t, span, k, 1.0, columns, u[:, None] - self._nodes[columns])
+        columns = span + np.arange(1 - k, 1)[:, None]
+        return _Place(u, t, span, k, 1.0, columns.T, (u - self._nodes[columns]).T)
 
     def _closed(self, u: Floats) -> "_Place":
         # Measured in knot spans the knots are whole numbers: no rounding, and one period is n.
@@ -104,8 +108,12 @@ class BSpline:
         at = n * u - (k % 2) / 2
         span = np.floor(at).astype(np.intp)
         t = np.arange(-k, n + k + 1, dtype=np.float64)
-        unrolled = span[:, None] + np.arange(1 - k, 1) + (k + 1) // 2
-        return _Place(at, t, span + k, k, float(n), unrolled % n, u[:, None] - unrolled / n)
+        unrolled = span + (np.arange(1 - k, 1) + (k + 1) // 2)[:, None]
+        return _Place(at, t, span + k, k, float(n), (unrolled % n).T, (u - unrolled / n).T)
+
+    @cached_property
+    def _hash(self) -> int:
+        return hash((self.size, self.order, self.closed, self.knots))
 
     @cached_property
     def _knots(self) -> Floats:
@@ -160,13 +168,11 @@ def functions_of_span(
     m = len(u)
     if derivative >= order:
         return np.zeros((m, order))
+    near = t[span + np.arange(2 - order, order)[:, None]]
     rows = np.zeros((order + 1, m))
     rows[0] = 1.0
     for q in range(1, order):
-        upper, lower = (
-            t[span + np.arange(1, q + 1)[:, None]],
-            t[span + np.arange(1 - q, 1)[:, None]],
-        )
+        upper, lower = near[order - 1 : order - 1 + q], near[order - 1 - q : order - 1]
         share = rows[:q] / (upper - lower)
         rows[: q + 1] = 0.0
         if q < order - derivative:
@@ -175,7 +181,7 @@ def functions_of_span(
         else:
             rows[:q] -= q * share
             rows[1 : q + 1] += q * share
-    return np.ascontiguousarray(rows[:order].T)
+    return rows[:order].T
 
 
 def weights_of_span(arguments: Floats, t: Floats, span: NDArray[np.intp]) -> Floats:
@@ -194,7 +200,7 @@ def weights_of_span(arguments: Floats, t: Floats, span: NDArray[np.intp]) -> Flo
         rows[: q + 1] = 0.0
         rows[:q] += (upper - arguments[q - 1]) * share
         rows[1 : q + 1] += (arguments[q - 1] - lower) * share
-    return np.ascontiguousarray(rows.T)
+    return rows.T
 
 
 def _check_knots(knots: tuple[float, ...], size: int, order: int) -> None:

@@ -16,7 +16,7 @@ from plusedit.geometry.bases import register
 from plusedit.geometry.domain import clamped, wrapped
 
 USUAL_WIDTH = 0.6  # of the node spacing: smooth, and still close to the control points
-FARTHEST = 9.0  # in sigma: exp(-9^2 / 2) = 3e-18 is lost beside 1
+FARTHEST = 9.5  # in sigma: an image that far away is lost beside the nearest one
 FLAT = 2.0  # a closed Gaussian wider than this differs from a constant by exp(-2 pi^2 4) = 5e-35
 
 
@@ -48,6 +48,10 @@ class RationalGaussian:
         """Open, nodes evenly spread, sigma 0.6 of their spacing."""
         return cls(size, USUAL_WIDTH / (size - 1))
 
+    def __hash__(self) -> int:
+        # Asked for with every look into a cache; nodes and widths may be many.
+        return self._hash
+
     @property
     def nodes(self) -> Floats:
         return self._nodes
@@ -74,8 +78,10 @@ class RationalGaussian:
 
     def _sums(self, u: Floats, highest: int) -> tuple[list[Floats], list[Floats]]:
         """Sums over the images of G and of (u - x_i - m) G, and their derivatives, (m, n) each."""
-        inside = wrapped(u) if self.closed else clamped(u)
-        distance = (inside[:, None] - self._nodes)[..., None] - self._images
+        distance = (wrapped(u) if self.closed else clamped(u))[:, None] - self._nodes
+        if self.closed:
+            distance -= np.round(distance)
+        distance = distance[..., None] - self._images
         width = self._widths[:, None]
         exponent = -0.5 * (distance / width) ** 2
         # The largest exponent cancels in the quotient; kept in, a small sigma gives 0 / 0.
@@ -92,6 +98,10 @@ class RationalGaussian:
             gaussians.append(second.sum(axis=2))
             moments.append((2.0 * first + distance * second).sum(axis=2))
         return gaussians, moments
+
+    @cached_property
+    def _hash(self) -> int:
+        return hash((self.size, self.sigma, self.closed, self.given_nodes))
 
     @cached_property
     def _nodes(self) -> Floats:
@@ -114,7 +124,8 @@ class RationalGaussian:
     def _images(self) -> Floats:
         if not self.closed:
             return np.zeros(1)
-        count = ceil(FARTHEST * float(self._widths.max())) + 1
+        # From -1/2 to 1/2 to the nearest image; another one may be as near.
+        count = max(1, ceil(FARTHEST * float(self._widths.max()) - 0.5))
         return np.arange(-count, count + 1, dtype=np.float64)
 
 
