@@ -68,7 +68,10 @@ class Clipboard:
         self._desk.commit(AddShapes(added, name="Paste"))
 
     def _text(self) -> str:
-        data = QGuiApplication.clipboard().mimeData()
+        # None while whoever owns the clipboard does not answer, whatever Qt's stubs say.
+        data: QMimeData | None = QGuiApplication.clipboard().mimeData()
+        if data is None:
+            return ""
         if data.hasFormat(KIND):
             return bytes(data.data(KIND).data()).decode("utf-8", "replace")
         return data.text() if data.hasText() else ""

@@ -49,6 +49,15 @@ def install() -> None:
     qInstallMessageHandler(_qt_message)
 
 
+def uninstall() -> None:
+    """Let errors and messages of Qt go where they went before."""
+    sys.excepthook = sys.__excepthook__
+    qInstallMessageHandler(None)
+    for handler in tuple(log.handlers):
+        log.removeHandler(handler)
+        handler.close()
+
+
 def caught(kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
     """Log an error that nobody caught, and say so in a dialog."""
     if issubclass(kind, KeyboardInterrupt):

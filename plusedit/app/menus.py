@@ -57,7 +57,6 @@ def fill_recent(menu: QMenu, paths: list[Path], open_file: Callable[[Path], obje
         action = menu.addAction(text.replace("&", "&&"))
         action.setToolTip(str(path))
         action.triggered.connect(lambda _=False, path=path: open_file(path))
-    menu.setEnabled(bool(paths))
 
 
 def context_menu(table: ActionTable, parent: QWidget) -> QMenu:

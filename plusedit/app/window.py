@@ -120,6 +120,10 @@ class MainWindow(QMainWindow):
         self.addToolBar(self.tool_bar)
         self._menus = menus.fill(self.menuBar(), self.actions_table)
         self._recent = QMenu("Open recent", self)
+        # Filled when it opens: an entry that rebuilt its own menu would go while it acts.
+        self._recent.aboutToShow.connect(
+            lambda: menus.fill_recent(self._recent, self.settings.recent, self.files.open)
+        )
         self._menus["File"].insertMenu(self.actions_table["save"], self._recent)
 
     def _listen(self) -> None:
@@ -242,7 +246,7 @@ class MainWindow(QMainWindow):
         self.setWindowTitle(f"{self.files.name}[*] — PlusEdit")
         self.setWindowFilePath("" if self.files.path is None else str(self.files.path))
         self.setWindowTitle(f"{self.files.name}[*] — PlusEdit")
-        menus.fill_recent(self._recent, self.settings.recent, self.files.open)
+        self._recent.setEnabled(bool(self.settings.recent))
         if self.files.path is not None or self.session.undo_label:
             self.show_view()
         self.notes.hide()
