@@ -105,8 +105,8 @@ class BSpline:
         # Measured in knot spans the knots are whole numbers: no rounding, and one period is n.
         n, k = self.size, self.order
         u = wrapped(u)
-        at = n * u - (k % 2) / 2
-        span = np.floor(at).astype(np.intp)
+        span = np.searchsorted(self._knots, u, side="right") - 1
+        at = np.clip(n * u - (k % 2) / 2, span, span + 1)
         t = np.arange(-k, n + k + 1, dtype=np.float64)
         unrolled = span + (np.arange(1 - k, 1) + (k + 1) // 2)[:, None]
         return _Place(at, t, span + k, k, float(n), (unrolled % n).T, (u - unrolled / n).T)

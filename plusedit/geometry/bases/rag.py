@@ -17,6 +17,7 @@ from plusedit.geometry.domain import clamped, wrapped
 
 USUAL_WIDTH = 0.6  # of the node spacing: smooth, and still close to the control points
 FARTHEST = 9.5  # in sigma: an image that far away is lost beside the nearest one
+NARROW = 1e-60  # a narrower Gaussian is as much of a step; the fourth power of this fits a double
 FLAT = 2.0  # a closed Gaussian wider than this differs from a constant by exp(-2 pi^2 4) = 5e-35
 
 
@@ -57,47 +58,51 @@ class RationalGaussian:
         return self._nodes
 
     def values(self, u: Floats, *, derivative: int = 0) -> Floats:
-        return self._quotients(u, derivative, reach=False)
+        shares, _ = self._shares(u, derivative)
+        total: Floats = shares[derivative].sum(axis=2)
+        return total
 
     def reaches(self, u: Floats, *, derivative: int = 0) -> Floats:
-        return self._quotients(u, derivative, reach=True)
+        shares, distance = self._shares(u, derivative)
+        reach = distance * shares[derivative]
+        if derivative:
+            reach += derivative * shares[derivative - 1]
+        total: Floats = reach.sum(axis=2)
+        return total
 
-    def _quotients(self, u: Floats, derivative: int, *, reach: bool) -> Floats:
-        """Derivatives of G_i / sum G, or of sum (u - x_i - m) G / sum G, by the quotient rule."""
-        gaussians, moments = self._sums(u, derivative)
-        totals = [g.sum(axis=1, keepdims=True) for g in gaussians]
-        numerators = moments if reach else gaussians
-        b: Floats = numerators[0] / totals[0]
-        if derivative == 0:
-            return b
-        first: Floats = (numerators[1] - b * totals[1]) / totals[0]
-        if derivative == 1:
-            return first
-        second: Floats = (numerators[2] - 2.0 * first * totals[1] - b * totals[2]) / totals[0]
-        return second
+    def _shares(self, u: Floats, highest: int) -> tuple[list[Floats], Floats]:
+        """Every image of every Gaussian, divided by the sum of all, (m, n, images); derivatives.
 
-    def _sums(self, u: Floats, highest: int) -> tuple[list[Floats], list[Floats]]:
-        """Sums over the images of G and of (u - x_i - m) G, and their derivatives, (m, n) each."""
-        distance = (wrapped(u) if self.closed else clamped(u))[:, None] - self._nodes
-        if self.closed:
-            distance -= np.round(distance)
-        distance = distance[..., None] - self._images
+        With them the distances u - x_i - m. The derivative of log G is z = -distance / sigma^2, so
+
+            b' = b y,   b'' = b (y^2 + z' - mean(y^2 + z')),   y = z - mean(z),
+
+        the means weighted by b. Only differences of z count, and of z'; they are taken from the
+        largest Gaussian, beside which the others may be next to nothing.
+        """
+        distance = self._distances(u)
         width = self._widths[:, None]
         exponent = -0.5 * (distance / width) ** 2
         # The largest exponent cancels in the quotient; kept in, a small sigma gives 0 / 0.
         exponent -= exponent.max(axis=(1, 2), keepdims=True)
-        g = self._heights[:, None] * np.exp(exponent)
-        slope = -distance / width**2
-        gaussians, moments = [g.sum(axis=2)], [(distance * g).sum(axis=2)]
-        if highest >= 1:
-            first = slope * g
-            gaussians.append(first.sum(axis=2))
-            moments.append((g + distance * first).sum(axis=2))
-        if highest >= 2:
-            second = (slope**2 - 1.0 / width**2) * g
-            gaussians.append(second.sum(axis=2))
-            moments.append((2.0 * first + distance * second).sum(axis=2))
-        return gaussians, moments
+        b = self._heights[:, None] * np.exp(exponent)
+        b /= b.sum(axis=(1, 2), keepdims=True)
+        shares = [b]
+        if highest:
+            y = _from_mean(-distance / width**2, b)
+            shares.append(b * y)
+        if highest == 2:
+            bend = np.broadcast_to(-1.0 / width**2, b.shape)
+            shares.append(b * (_from_mean(y**2, b) + _from_mean(bend, b)))
+        return shares, distance
+
+    def _distances(self, u: Floats) -> Floats:
+        """(m, n, images) of u from the nodes and their images."""
+        if not self.closed:
+            return (clamped(u)[:, None] - self._nodes)[..., None]
+        distance = wrapped(u)[:, None] - self._nodes
+        distance -= np.round(distance)
+        return distance[..., None] - self._images
 
     @cached_property
     def _hash(self) -> int:
@@ -112,21 +117,31 @@ class RationalGaussian:
     @cached_property
     def _widths(self) -> Floats:
         widths = np.broadcast_to(np.array(self.sigma, dtype=np.float64), (self.size,))
-        return np.minimum(widths, FLAT) if self.closed else widths
+        return np.clip(widths, NARROW, FLAT if self.closed else None)
 
     @cached_property
     def _heights(self) -> Floats:
         """One, but for closed Gaussians taken narrower than they are: their constant is sigma."""
         widths = np.broadcast_to(np.array(self.sigma, dtype=np.float64), (self.size,))
-        return widths / self._widths
+        return np.maximum(widths / self._widths, 1.0)
 
     @cached_property
     def _images(self) -> Floats:
-        if not self.closed:
-            return np.zeros(1)
         # From -1/2 to 1/2 to the nearest image; another one may be as near.
         count = max(1, ceil(FARTHEST * float(self._widths.max()) - 0.5))
         return np.arange(-count, count + 1, dtype=np.float64)
+
+
+def _from_mean(of: Floats, b: Floats) -> Floats:
+    """Every entry less the mean of its row weighted by b, rows being all but the first axis."""
+    rows, shares = of.reshape(len(of), -1), b.reshape(len(b), -1)
+    if not len(rows):
+        return of
+    largest = shares.argmax(axis=1)[:, None]
+    rows = rows - np.take_along_axis(rows, largest, axis=1)
+    means = np.einsum("mi,mi->m", shares, rows)
+    differences: Floats = (rows - means[:, None]).reshape(b.shape)
+    return differences
 
 
 def _check_nodes(nodes: tuple[float, ...], size: int, *, closed: bool) -> None:
