@@ -1,5 +1,8 @@
 """What the views may rely on where there is a display: OpenGL 3.3 core, and windows that show."""
 
+import subprocess
+import sys
+
 import pytest
 from PySide6.QtCore import QSize
 from PySide6.QtGui import QColor, QGuiApplication, QOffscreenSurface, QOpenGLContext, QSurfaceFormat
@@ -56,3 +59,10 @@ def test_a_window_is_seen(qtbot):
     with qtbot.waitExposed(window):
         window.show()
     assert window.grab().toImage().pixelColor(100, 50) == QColor("#0066ff")
+
+
+def test_the_doctor_finds_all_well():
+    command = [sys.executable, "-m", "plusedit", "doctor"]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=60)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "OpenGL" in done.stdout
