@@ -10,19 +10,17 @@ is fitted by least squares: then the distance falls with the sixth power of the 
 velocities themselves, alpha = beta = 1, only with the fourth.
 """
 
-from collections.abc import Callable
-from typing import TypeAlias
+from dataclasses import dataclass
+from typing import Protocol
 
 import numpy as np
+from numpy.typing import NDArray
 
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.bases.bernstein import bernstein
 from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.elevation import elevated
 from plusedit.geometry.pieces import pieces as smooth_pieces
-
-Smooth: TypeAlias = Callable[[Floats], tuple[Floats, Floats]]
-"""Points and velocities (m, 2) at parameters (m,)"""
 
 TOLERANCE = 1e-7  # of the size of a curve: by what a cubic may miss it
 MARGIN = 0.5  # of the tolerance: errors are looked at in a few places only
@@ -43,35 +41,24 @@ def chain_of(curve: PlusCurve) -> list[Floats]:
         form = elevated(curve).bezier_pieces()
     except ValueError:  # rational Gaussians have no standard form
         seeds = smooth_pieces(curve).parameters
-        return list(_cubics(_seen(curve), seeds, _size(curve) * TOLERANCE))
+        stretches = Stretches(np.zeros(len(seeds) - 1, dtype=np.intp), seeds[:-1], seeds[1:])
+        return list(_cubics(_Seen(curve), stretches, _size(curve) * TOLERANCE))
     points = form.points[:, :, :2]
-    if points.shape[1] <= 4 and form.weights is None:
-        return [reduced(piece) for piece in points]
-    tolerance, seeds = _size(curve) * TOLERANCE, smooth_pieces(curve).parameters
-    chain: list[Floats] = []
-    for number, piece in enumerate(points):
-        weights = None if form.weights is None else form.weights[number]
-        start, end = form.breaks[number : number + 2]
-        inner = seeds[(seeds > start) & (seeds < end)]
-        at = np.concatenate([[0.0], (inner - start) / (end - start), [1.0]])
-        chain += bezier_chain(piece, weights, tolerance, at)
-    return chain
+    if form.weights is None or np.ptp(form.weights) <= EXACT * form.weights.max():
+        least = [reduced(piece) for piece in points]
+        if all(len(piece) <= 4 for piece in least):
+            return least
+    seeds = np.union1d(smooth_pieces(curve).parameters, form.breaks)
+    number = np.searchsorted(form.breaks, seeds[:-1], side="right") - 1
+    start, span = form.breaks[number], np.diff(form.breaks)[number]
+    stretches = Stretches(number, (seeds[:-1] - start) / span, (seeds[1:] - start) / span)
+    return list(_cubics(_Beziers(points, form.weights), stretches, _size(curve) * TOLERANCE))
 
 
-def bezier_chain(
-    points: Floats, weights: Floats | None, tolerance: float, seeds: Floats | None = None
-) -> list[Floats]:
-    """A Bezier curve (n, 2), rational with weights (n,), as Bezier points (2 to 4, 2).
-
-    `seeds` are parameters from 0 to 1, both among them, between which it changes evenly.
-    """
-    if weights is None or np.ptp(weights) <= EXACT * weights.max():
-        points = reduced(points)
-        if len(points) <= 4:
-            return [points]
-        weights = None
-    at = np.array([0.0, 1.0]) if seeds is None else seeds
-    return list(_cubics(_bezier(points, weights), at, tolerance))
+def conic_chain(points: Floats, weights: Floats, tolerance: float) -> list[Floats]:
+    """An arc of a conic, (3, 2) with weights (3,), as cubics (4, 2)."""
+    whole = Stretches(np.zeros(1, dtype=np.intp), np.zeros(1), np.ones(1))
+    return list(_cubics(_Beziers(points[None], weights[None]), whole, tolerance))
 
 
 def reduced(points: Floats) -> Floats:
@@ -98,60 +85,112 @@ def _size(curve: PlusCurve) -> float:
     return float(np.ptp(at, axis=0).max())
 
 
-def _seen(curve: PlusCurve) -> Smooth:
-    def at(u: Floats) -> tuple[Floats, Floats]:
-        points, velocities = curve.derivatives(u, highest=1)
-        return points[:, :2], velocities[:, :2]
+@dataclass(frozen=True, eq=False)
+class Stretches:
+    """Intervals of a curve that is made of numbered pieces, each with parameters of its own."""
 
-    return at
+    numbers: NDArray[np.intp]
+    starts: Floats
+    ends: Floats
+
+    def __len__(self) -> int:
+        return len(self.numbers)
+
+    def taken(self, rows: NDArray[np.bool_]) -> "Stretches":
+        """Those of them."""
+        return Stretches(self.numbers[rows], self.starts[rows], self.ends[rows])
+
+    def halved(self) -> "Stretches":
+        """Both halves of each."""
+        middles = (self.starts + self.ends) / 2.0
+        return Stretches(
+            np.tile(self.numbers, 2),
+            np.concatenate([self.starts, middles]),
+            np.concatenate([middles, self.ends]),
+        )
 
 
-def _bezier(points: Floats, weights: Floats | None) -> Smooth:
-    """A Bezier curve by its formula; a rational one by the quotient rule."""
-    share = np.ones(len(points)) if weights is None else weights / weights.max()
-    rows = np.column_stack([points * share[:, None], share])
-    degree = len(points) - 1
-    slopes = degree * np.diff(rows, axis=0)
+class Smooth(Protocol):
+    """A curve of smooth pieces, to be copied."""
 
-    def at(u: Floats) -> tuple[Floats, Floats]:
-        top, rate = bernstein(u, degree) @ rows, bernstein(u, degree - 1) @ slopes
+    def points(self, numbers: NDArray[np.intp], u: Floats) -> Floats:
+        """(m, 2) points of the pieces of those numbers at u (m,)."""
+        ...
+
+    def velocities(self, numbers: NDArray[np.intp], u: Floats) -> Floats:
+        """(m, 2) their derivatives by u."""
+        ...
+
+
+@dataclass(frozen=True, eq=False)
+class _Seen:
+    """A curve that is smooth from 0 to 1, from above."""
+
+    curve: PlusCurve
+
+    def points(self, numbers: NDArray[np.intp], u: Floats) -> Floats:
+        return self.curve.at(u)[:, :2]
+
+    def velocities(self, numbers: NDArray[np.intp], u: Floats) -> Floats:
+        return self.curve.derivatives(u, highest=1)[1][:, :2]
+
+
+class _Beziers:
+    """Bezier curves of one degree by their formula; rational ones by the quotient rule."""
+
+    def __init__(self, points: Floats, weights: Floats | None) -> None:
+        share = np.ones(points.shape[:2]) if weights is None else weights / weights.max()
+        self._rows = np.concatenate([points * share[..., None], share[..., None]], axis=2)
+        self._degree = points.shape[1] - 1
+        self._slopes = self._degree * np.diff(self._rows, axis=1)
+
+    def points(self, numbers: NDArray[np.intp], u: Floats) -> Floats:
+        top = _at(self._rows[numbers], bernstein(u, self._degree))
+        on: Floats = top[:, :2] / top[:, 2:]
+        return on
+
+    def velocities(self, numbers: NDArray[np.intp], u: Floats) -> Floats:
+        top = _at(self._rows[numbers], bernstein(u, self._degree))
+        rate = _at(self._slopes[numbers], bernstein(u, self._degree - 1))
         on = top[:, :2] / top[:, 2:]
-        return on, (rate[:, :2] - rate[:, 2:] * on) / top[:, 2:]
+        velocities: Floats = (rate[:, :2] - rate[:, 2:] * on) / top[:, 2:]
+        return velocities
 
-    return at
+
+def _at(rows: Floats, shares: Floats) -> Floats:
+    """(m, dim) sums of rows (m, n, dim) with shares (m, n)."""
+    sums: Floats = (shares[:, None, :] @ rows)[:, 0]
+    return sums
 
 
-def _cubics(curve: Smooth, seeds: Floats, tolerance: float) -> Floats:
-    """(m, 4, 2) cubics that follow the curve from 0 to 1 within the tolerance."""
-    starts, ends = seeds[:-1], seeds[1:]
-    done_at, done = [], []
+def _cubics(curve: Smooth, stretches: Stretches, tolerance: float) -> Floats:
+    """(m, 4, 2) cubics that follow all stretches of the curve within the tolerance."""
+    order, done = [], []
     count = 0
     for halvings in range(DEEPEST + 1):
-        cubics, misses = _fitting(curve, starts, ends)
+        cubics, misses = _fitting(curve, stretches)
         fits = misses <= MARGIN * tolerance
-        if halvings == DEEPEST or count + 2 * len(starts) > MOST:
+        if halvings == DEEPEST or count + 2 * len(stretches) > MOST:
             fits[:] = True
-        done_at.append(starts[fits])
+        order.append(stretches.numbers[fits] + stretches.starts[fits])
         done.append(cubics[fits])
         count += int(fits.sum())
-        starts, ends = starts[~fits], ends[~fits]
-        if not len(starts):
+        if fits.all():
             break
-        middles = (starts + ends) / 2.0
-        starts, ends = np.concatenate([starts, middles]), np.concatenate([middles, ends])
-    order = np.argsort(np.concatenate(done_at))
-    in_order: Floats = np.concatenate(done)[order]
+        stretches = stretches.taken(~fits).halved()
+    in_order: Floats = np.concatenate(done)[np.argsort(np.concatenate(order), kind="stable")]
     return in_order
 
 
-def _fitting(curve: Smooth, starts: Floats, ends: Floats) -> tuple[Floats, Floats]:
+def _fitting(curve: Smooth, stretches: Stretches) -> tuple[Floats, Floats]:
     """(m, 4, 2) cubics for stretches of the curve, and (m,) by how much each misses."""
-    third = ((ends - starts) / 3.0)[:, None]
-    first, leaving = curve(starts)
-    last, arriving = curve(ends)
-    plain = np.stack([first, first + third * leaving, last - third * arriving, last], axis=1)
-    u = starts[:, None] + (ends - starts)[:, None] * LOOKED_AT
-    there = curve(u.ravel())[0].reshape(len(starts), len(LOOKED_AT), 2)
+    numbers, starts, ends = stretches.numbers, stretches.starts, stretches.ends
+    u = np.concatenate([[starts], starts + LOOKED_AT[:, None] * (ends - starts), [ends]])
+    on = curve.points(np.tile(numbers, len(u)), u.ravel()).reshape(len(u), -1, 2)
+    there, first, last = on[1:-1].transpose(1, 0, 2), on[0], on[-1]
+    both = curve.velocities(np.tile(numbers, 2), u[[0, -1]].ravel()).reshape(2, -1, 2)
+    third = ((ends - starts) / 3.0)[:, None] * both
+    plain = np.stack([first, first + third[0], last - third[1], last], axis=1)
     t = np.broadcast_to(LOOKED_AT, there.shape[:2])
     better = plain
     for _ in range(ROUNDS):

@@ -16,12 +16,13 @@ import numpy as np
 
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.curve import PlusCurve
+from plusedit.geometry.fitting import fit_bspline_plus
 from plusedit.geometry.standard import (
     from_bezier,
     from_bezier_path,
     from_rational_quadratic_path,
 )
-from plusedit.io.svg_cubics import TOLERANCE, bezier_chain
+from plusedit.io.svg_cubics import TOLERANCE, conic_chain
 from plusedit.io.svg_pieces import Outline, Piece
 
 How: TypeAlias = Literal["segments", "paths", "fitted"]
@@ -63,35 +64,32 @@ def path(outline: Outline) -> Made:
     has_arcs = any(piece.is_arc for piece in pieces)
     if has_arcs and all(piece.degree <= 2 for piece in pieces):
         points = np.stack([_raised(piece.points, 2) for piece in _touching(pieces)])
-        weights = np.array([[1.0, piece.weight, 1.0] for piece in pieces])
-        return Made(from_rational_quadratic_path(points, weights))
+        heights = np.array([[1.0, piece.weight, 1.0] for piece in pieces])
+        return Made(from_rational_quadratic_path(points, heights))
     tolerance = TOLERANCE * size_of(outline)
     rows: list[Floats] = []
     for piece in _touching(pieces):
+        weights = _weights(piece)
         chain = [piece.points]
-        if piece.is_arc:
-            chain = bezier_chain(piece.points, _weights(piece), tolerance)
+        if weights is not None:
+            chain = conic_chain(piece.points, weights, tolerance)
         rows += [_raised(points, 3) for points in chain]
     return Made(from_bezier_path(np.stack(rows)), tolerance if has_arcs else 0.0)
 
 
 def fitted(outline: Outline, tolerance: float) -> Made:
     """One B-spline+ fitted to the whole outline, within `tolerance` of its size."""
-    from plusedit.geometry.fitting import fit_bspline_plus
-
     pieces = _touching(outline.pieces)
     t = np.linspace(0.0, 1.0, SAMPLES + 1)
     points = np.concatenate([pieces[0].points[:1], *(piece.at(t)[1:] for piece in pieces)])
-    corners = [i * SAMPLES for i in _corners(pieces)]
-    smooth_end = outline.closed and _is_smooth(pieces[-1], pieces[0])
-    size = size_of(outline)
-    if closes(outline):
-        points[-1] = points[0]
+    corners = [number * SAMPLES for number in _corners(pieces)]
+    goes_round = outline.closed and closes(outline)
+    if goes_round:
+        points = points[:-1]
+        if not _is_smooth(pieces[-1], pieces[0]):
+            corners.append(0)
     fit = fit_bspline_plus(
-        points[:-1] if smooth_end and not corners else points,
-        tolerance=tolerance * size,
-        closed=smooth_end and not corners,
-        corners=corners,
+        points, tolerance=tolerance * size_of(outline), closed=goes_round, corners=corners
     )
     return Made(fit.curve, fit.largest)
 

@@ -8,17 +8,21 @@ Groups, nested drawings and `use` are followed with their transforms; what only 
 from collections import Counter
 from dataclasses import dataclass, field, replace
 
+import numpy as np
+
 from plusedit.geometry.arrays import Floats
 from plusedit.io.formats import FormatError
 from plusedit.io.svg_frames import UPWARDS, Frame
 from plusedit.io.svg_lengths import IDENTITY, ViewBox, joined, length, scale_of, shift, transform
 from plusedit.io.svg_paint import Paint, paint_of
+from plusedit.io.svg_paths import FARTHEST
 from plusedit.io.svg_pieces import Outline
 from plusedit.io.svg_shapes import SHAPES, outlines_of
 from plusedit.io.svg_styles import INITIAL, Properties, StyleSheet, share
 from plusedit.io.svg_tree import Element
 
-MOST_VISITS = 500_000  # elements, those that `use` repeats counted every time
+MOST_VISITS = 100_000  # elements, those that `use` repeats counted every time
+WIDEST = 1e6  # pixels of a stroke
 DEEPEST_USE = 20  # uses inside one another
 
 GROUPS = frozenset(["g", "a", "switch"])
@@ -64,6 +68,7 @@ class Figures:
     """sentences about single elements"""
 
 
+@np.errstate(over="ignore", invalid="ignore")  # too large: such figures are left out
 def figures_of(root: Element) -> Figures:
     """Every path and basic shape below an outermost <svg>. FormatError past the limits."""
     frame = Frame.of(root)
@@ -173,12 +178,14 @@ class _Walk:
         self._numbers[element.tag] += 1
         label = _label(element) or f"{element.tag} {self._numbers[element.tag]}"
         outlines, error = outlines_of(element, place.viewport)
-        if error:
-            kept = "what comes before is kept" if outlines else "nothing of it could be read"
-            self.found.problems.append(f"{label}: {error}; {kept}.")
         matrix = joined(UPWARDS, place.matrix)
         for outline in outlines:
             outline.pieces = [piece.mapped(matrix) for piece in outline.pieces]
+        if not all(_is_near(outline) for outline in outlines):
+            outlines, error = [], "its coordinates are too large to calculate with"
+        if error:
+            kept = "what comes before is kept" if outlines else "nothing of it could be read"
+            self.found.problems.append(f"{label}: {error}; {kept}.")
         width = self._stroke_width(place)
         paint = paint_of(place.properties, width, place.opacity, self._by_id, self.sheet)
         seen = place.properties.get("visibility") == "visible" and paint.is_seen
@@ -192,7 +199,14 @@ class _Walk:
         width = length(place.properties.get("stroke-width", "1"), diagonal, 1.0)
         if place.properties.get("vector-effect") == "non-scaling-stroke":
             return width
-        return width * scale_of(place.matrix) * self.found.frame.pixels
+        width *= scale_of(place.matrix) * self.found.frame.pixels
+        return width if width <= WIDEST else WIDEST
+
+
+def _is_near(outline: Outline) -> bool:
+    """Whether an outline has numbers that can be calculated with."""
+    # A transform with a number too large makes nan, which is not near either.
+    return all(bool((abs(piece.points) <= FARTHEST).all()) for piece in outline.pieces)
 
 
 def _label(element: Element) -> str:

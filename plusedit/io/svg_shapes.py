@@ -3,7 +3,7 @@
 from collections.abc import Callable
 
 from plusedit.io.svg_lengths import length
-from plusedit.io.svg_paths import FARTHEST, numbers_of, parse_path
+from plusedit.io.svg_paths import numbers_of, parse_path
 from plusedit.io.svg_pieces import Outline, ellipse, polyline, rectangle
 from plusedit.io.svg_tree import Element
 
@@ -14,8 +14,6 @@ Read = tuple[list[Outline], str | None]
 def outlines_of(element: Element, viewport: Viewport) -> Read:
     """The outlines of a path or basic shape, and what was wrong with it, if anything was."""
     outlines, error = SHAPES[element.tag](element, viewport)
-    if any(abs(c) > FARTHEST for o in outlines for c in (*o.start, *o.end)):
-        return [], "its coordinates are too large"
     return [outline for outline in outlines if outline.pieces], error
 
 

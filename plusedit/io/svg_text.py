@@ -2,12 +2,17 @@
 
 import re
 from collections.abc import Mapping
+from math import floor, log10
 from xml.sax.saxutils import escape, quoteattr
+
+import numpy as np
 
 from plusedit.geometry.arrays import Floats
 
 LETTERS = {2: "L", 3: "Q", 4: "C"}
 """The command that draws a Bezier curve of so many points"""
+
+ROUNDING = 8 * float(np.finfo(np.float64).eps)  # of the largest number: what arithmetic leaves
 
 # The letters that XML allows in names, but for the colon, and beside them digits and a few marks.
 LETTER = (
@@ -26,23 +31,36 @@ def number(value: float) -> str:
     return "0" if text == "-0" else text
 
 
-def point(row: Floats) -> str:
-    """A point of the world, y turned down."""
-    x, y = row.tolist()
-    return f"{number(x)} {number(-y)}"
-
-
 def path_data(chain: list[Floats], *, closed: bool) -> str:
-    """The attribute `d` of Bezier curves (2 to 4, 2) that begin where the one before ends."""
-    commands = [f"M{point(chain[0][0])}"]
+    """The attribute `d` of Bezier curves (2 to 4, 2) that begin where the one before ends.
+
+    Numbers have 15 digits of the largest one where that is what they are but for rounding, and
+    otherwise as many as make the same double. y is turned down.
+    """
+    largest = max(float(np.abs(piece).max()) for piece in chain)
+    digits = 14 - floor(log10(largest)) if largest > 0.0 else 0
+    chain = [_plain(piece * (1.0, -1.0), digits, ROUNDING * largest) for piece in chain]
+    commands = [f"M{_rows(chain[0][:1])}"]
     pieces = chain
     # Z draws the last line itself.
     if closed and len(chain[-1]) == 2 and (chain[-1][-1] == chain[0][0]).all():
         pieces = chain[:-1]
-    commands += [LETTERS[len(piece)] + " ".join(map(point, piece[1:])) for piece in pieces]
+    commands += [LETTERS[len(piece)] + _rows(piece[1:]) for piece in pieces]
     if closed:
         commands.append("Z")
     return " ".join(commands)
+
+
+def _plain(points: Floats, digits: int, rounding: float) -> Floats:
+    """The points with so many digits behind the point where they are that within rounding."""
+    if not abs(digits) <= 300:
+        return points
+    plain = np.array([[round(x, digits) for x in row] for row in points.tolist()])
+    return np.where(np.abs(plain - points) <= rounding, plain, points)
+
+
+def _rows(points: Floats) -> str:
+    return " ".join(f"{number(x)} {number(y)}" for x, y in points.tolist())
 
 
 def element(tag: str, attributes: Mapping[str, str], inside: str = "", *, text: str = "") -> str:

@@ -58,7 +58,7 @@ def parse_tree(data: bytes) -> Element:
     except expat.ExpatError as error:
         reason = expat.ErrorString(error.code)
         raise FormatError(f"is not whole XML: {reason} in line {error.lineno}") from error
-    except ValueError as error:  # an encoding that Python does not know
+    except (ValueError, LookupError) as error:  # an encoding that Python does not know
         raise FormatError(f"is not readable as XML: {error}") from error
     root = builder.root
     if root is None or root.tag != "svg":

@@ -69,21 +69,29 @@ def cubic(segment):
 
 def distances(points, cubics):
     """(m,) how far points (m, 2) lie from the nearest of cubics (k, 4, 2)."""
-    t = np.linspace(0.0, 1.0, 33)
-    near = np.einsum("tk,ckd->ctd", bernstein(t, 3), cubics).reshape(-1, 2)
+    t = np.linspace(0.0, 1.0, 65)
+    near = np.einsum("tk,ckd->ctd", bernstein(t, 3), cubics)
+    steps = np.linalg.norm(np.diff(near, axis=1), axis=2)
+    reach = np.maximum(np.pad(steps, ((0, 0), (1, 0))), np.pad(steps, ((0, 0), (0, 1))))
     found = np.full(len(points), np.inf)
-    order = np.argsort(np.linalg.norm(points[:, None] - near, axis=2), axis=1)[:, :4]
-    for choice in order.T:
-        piece, at = choice // len(t), t[choice % len(t)]
-        q = cubics[piece]
+    for row, point in enumerate(points):
+        away = np.linalg.norm(point - near, axis=2)
+        piece, number = np.nonzero(away - reach <= away.min())
+        piece, start = cubics[piece], t[number]
+        at = start
         for _ in range(12):
-            on = np.einsum("mk,mkd->md", bernstein(at, 3), q)
-            speed = np.einsum("mk,mkd->md", bernstein(at, 2), 3.0 * np.diff(q, axis=1))
-            square = np.maximum((speed * speed).sum(axis=1), 1e-300)
-            at = np.clip(at + ((points - on) * speed).sum(axis=1) / square, 0.0, 1.0)
-        on = np.einsum("mk,mkd->md", bernstein(at, 3), q)
-        found = np.minimum(found, np.linalg.norm(points - on, axis=1))
+            gap = point - along(piece, at, 3)
+            found[row] = min(found[row], np.linalg.norm(gap, axis=1).min())
+            speed = along(3.0 * np.diff(piece, axis=1), at, 2)
+            step = (gap * speed).sum(axis=1) / np.maximum((speed * speed).sum(axis=1), 1e-300)
+            at = np.clip(at + np.clip(step, -0.01, 0.01), start - 0.016, start + 0.016)
+            at = np.clip(at, 0.0, 1.0)
     return found
+
+
+def along(pieces, at, degree):
+    """(m, 2) points of Bezier curves (m, degree + 1, 2), each at its own parameter."""
+    return np.einsum("mk,mkd->md", bernstein(at, degree), pieces)
 
 
 def length(path):

@@ -358,3 +358,29 @@ def test_the_maps_of_a_drawing_do_the_inner_one_first():
 
 def test_path_data_of_one_path_can_be_read_alone():
     assert len(read_svg(path_svg("M 0 0 H 5 V 5"), "x").design) == 2
+
+
+@pytest.mark.parametrize(
+    ("data", "closed"),
+    [
+        ("M 0 0 C 10 30 40 -20 50 0 S 80 30 90 0", False),
+        ("M 0 0 A 30 20 0 1 1 60 0 A 30 20 0 1 1 0 0 Z", True),
+        ("M 0 0 H 50 V 50 C 40 80 10 80 0 50 Z", False),
+    ],
+)
+def test_a_fitted_path_is_met_within_the_tolerance_and_keeps_its_corners(data, closed):
+    loaded = read(f'<path d="{data}"/>', how="fitted", tolerance=1e-3)
+    (curve,) = curves_of(loaded.design)
+    exact = np.vstack([s.curve.at(T) for s in shapes(f'<path d="{data}"/>')])
+    near = curve.at(np.linspace(0.0, 1.0, 8001))
+    size = np.ptp(exact, axis=0).max()
+    gaps = np.linalg.norm(exact[:, None] - near, axis=2).min(axis=1)
+    assert gaps.max() < 1.2e-3 * size
+    assert curve.closed is closed
+    assert any("fitted within" in note for note in loaded.notes)
+
+
+def test_a_looser_fit_needs_fewer_lines():
+    data = '<path d="M 0 0 C 10 30 40 -20 50 0 S 80 30 90 0 S 20 90 0 50"/>'
+    tight, loose = (only(data, how="fitted", tolerance=t).curve for t in (1e-5, 1e-2))
+    assert len(loose.lines) < len(tight.lines)
