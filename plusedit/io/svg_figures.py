@@ -15,7 +15,7 @@ from plusedit.io.formats import FormatError
 from plusedit.io.svg_frames import UPWARDS, Frame
 from plusedit.io.svg_lengths import IDENTITY, ViewBox, joined, length, scale_of, shift, transform
 from plusedit.io.svg_paint import Paint, paint_of
-from plusedit.io.svg_paths import FARTHEST
+from plusedit.io.svg_paths import FARTHEST, MOST_PIECES, too_many_pieces
 from plusedit.io.svg_pieces import Outline
 from plusedit.io.svg_shapes import SHAPES, outlines_of
 from plusedit.io.svg_styles import INITIAL, Properties, StyleSheet, share
@@ -89,6 +89,7 @@ class _Walk:
         self.found = Figures(frame)
         self._by_id: dict[str, Element] = {}
         self._visits = 0
+        self._pieces = 0
         self._numbers: Counter[str] = Counter()
         self._index(root)
 
@@ -178,6 +179,9 @@ class _Walk:
         self._numbers[element.tag] += 1
         label = _label(element) or f"{element.tag} {self._numbers[element.tag]}"
         outlines, error = outlines_of(element, place.viewport)
+        self._pieces += sum(len(outline.pieces) for outline in outlines)
+        if self._pieces > MOST_PIECES:
+            raise too_many_pieces()
         matrix = joined(UPWARDS, place.matrix)
         for outline in outlines:
             outline.pieces = [piece.mapped(matrix) for piece in outline.pieces]

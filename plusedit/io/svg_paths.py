@@ -7,12 +7,14 @@ import re
 from dataclasses import dataclass, field
 from math import isfinite
 
+from plusedit.io.formats import FormatError
 from plusedit.io.svg_pieces import Outline, Point
 
 NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?")
 BLANKS = re.compile(r"[ \t\r\n\f]*")
 COMMA = re.compile(r"[ \t\r\n\f]*,?[ \t\r\n\f]*")
 FARTHEST = 1e90  # coordinates beyond can't be calculated with
+MOST_PIECES = 100_000  # of one path; a drawing may have no more either
 
 ARGUMENTS = {"m": 2, "l": 2, "h": 1, "v": 1, "c": 6, "s": 4, "q": 4, "t": 2, "a": 7, "z": 0}
 """How many numbers each command takes, over and over until the next command"""
@@ -28,7 +30,10 @@ class PathData:
 
 
 def parse_path(text: str) -> PathData:
-    """The outlines of path data; its `error` says what ended them early."""
+    """The outlines of path data; its `error` says what ended them early.
+
+    FormatError where there are too many of them.
+    """
     path = _Path()
     scanner = _Scanner(text)
     try:
@@ -40,15 +45,25 @@ def parse_path(text: str) -> PathData:
 
 
 def numbers_of(text: str) -> list[float]:
-    """The numbers of a list such as the attribute `points`, up to the first that is none."""
+    """The numbers of a list such as the attribute `points`, up to the first that is none.
+
+    FormatError where there are too many of them.
+    """
     scanner = _Scanner(text)
-    numbers = []
+    numbers: list[float] = []
     while scanner.at_number():
+        if len(numbers) > 2 * MOST_PIECES:
+            raise too_many_pieces()
         try:
             numbers.append(scanner.number())
         except _PathError:
             break
     return numbers
+
+
+def too_many_pieces() -> FormatError:
+    """The error that says so."""
+    return FormatError(f"draws more than {MOST_PIECES:,} lines and curves")
 
 
 class _PathError(ValueError):
@@ -110,6 +125,7 @@ class _Path:
     def __init__(self) -> None:
         self.data = PathData()
         self._at: Point = (0.0, 0.0)
+        self._count = 0
         self._mirrored: tuple[str, Point] = ("", (0.0, 0.0))
         """the kind of the last curve, c or q, and its last control point"""
 
@@ -150,6 +166,9 @@ class _Path:
         return self.data.outlines[-1]
 
     def _draw(self, kind: str, relative: bool, numbers: list[float]) -> None:
+        self._count += 1
+        if self._count > MOST_PIECES:
+            raise too_many_pieces()
         x, y = self._at if relative else (0.0, 0.0)
         mirrored = ("", self._at)
         if kind == "m":

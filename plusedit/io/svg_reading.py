@@ -93,7 +93,8 @@ class _Reading:
             closed = tidy.closed and closes(tidy)
             try:
                 for made in self._curves(tidy):
-                    self._miss = max(self._miss, made.miss / size_of(tidy))
+                    if made.miss:
+                        self._miss = max(self._miss, made.miss / size_of(tidy))
                     yield number, closed, made
             except ValueError as error:
                 self.problems.append(f"{figure.label}: {error}; a part of it was left out.")

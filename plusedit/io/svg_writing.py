@@ -7,6 +7,7 @@ after the other in the design and look alike, and filled as long as all of them 
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import pairwise
 
 import numpy as np
@@ -71,13 +72,15 @@ class _Drawn:
         tree = self.shape.extra.get("style")
         return tree if isinstance(tree, Mapping) else {}
 
-    @property
+    @cached_property
     def size(self) -> float:
+        """The larger side of the box about it."""
         points = np.concatenate(self.chain)
         return float(np.ptp(points, axis=0).max())
 
     @property
     def ends(self) -> tuple[Floats, Floats]:
+        """Its first and last point."""
         return self.chain[0][0], self.chain[-1][-1]
 
     def follows(self, other: "_Drawn") -> bool:

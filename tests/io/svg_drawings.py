@@ -69,7 +69,7 @@ def cubic(segment):
 
 def distances(points, cubics):
     """(m,) how far points (m, 2) lie from the nearest of cubics (k, 4, 2)."""
-    t = np.linspace(0.0, 1.0, 65)
+    t = np.linspace(0.0, 1.0, 33)
     near = np.einsum("tk,ckd->ctd", bernstein(t, 3), cubics)
     steps = np.linalg.norm(np.diff(near, axis=1), axis=2)
     reach = np.maximum(np.pad(steps, ((0, 0), (1, 0))), np.pad(steps, ((0, 0), (0, 1))))
@@ -79,12 +79,12 @@ def distances(points, cubics):
         piece, number = np.nonzero(away - reach <= away.min())
         piece, start = cubics[piece], t[number]
         at = start
-        for _ in range(12):
+        for _ in range(8):
             gap = point - along(piece, at, 3)
             found[row] = min(found[row], np.linalg.norm(gap, axis=1).min())
             speed = along(3.0 * np.diff(piece, axis=1), at, 2)
             step = (gap * speed).sum(axis=1) / np.maximum((speed * speed).sum(axis=1), 1e-300)
-            at = np.clip(at + np.clip(step, -0.01, 0.01), start - 0.016, start + 0.016)
+            at = np.clip(at + np.clip(step, -0.02, 0.02), start - 0.032, start + 0.032)
             at = np.clip(at, 0.0, 1.0)
     return found
 
@@ -96,7 +96,7 @@ def along(pieces, at, degree):
 
 def length(path):
     """The length of all segments of a path, roughly."""
-    steps = [np.diff(samples(segment, 65), axis=0) for segment in path]
+    steps = [np.diff(samples(segment, 17), axis=0) for segment in path]
     return sum(np.linalg.norm(step, axis=1).sum() for step in steps)
 
 

@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from plusedit.io import svg_figures, svg_paths
 from plusedit.io.formats import FormatError, formats
-from plusedit.io.svg_figures import MOST_VISITS
 from plusedit.io.svg_reading import LARGEST_FILE, read_svg
 from plusedit.io.svg_tree import DEEPEST
 from plusedit.io.svg_writing import write_svg
@@ -90,8 +90,9 @@ def test_uses_that_run_in_a_circle_end():
     assert any("use" in note for note in loaded.notes)
 
 
-def test_uses_that_double_twenty_times_over_are_refused():
-    assert MOST_VISITS < 2**20
+def test_uses_that_double_twenty_times_over_are_refused(monkeypatch):
+    assert svg_figures.MOST_VISITS < 2**20
+    monkeypatch.setattr(svg_figures, "MOST_VISITS", 2000)
     uses = "".join(
         f'<g id="g{i}"><use href="#g{i - 1}"/><use href="#g{i - 1}"/></g>' for i in range(1, 21)
     )
@@ -155,3 +156,20 @@ def test_the_format_is_on_the_shelf():
     assert not formats["svg"].keeps_all
     loaded = formats["svg"].read(svg(LINE), "x.svg")
     assert b"<path" in formats["svg"].write(loaded.design)
+
+
+@pytest.mark.parametrize(
+    "data",
+    [
+        path_svg("M0 0" + "h1" * 2001),
+        path_svg("M0 0 h" + "1 " * 2001),
+        path_svg("M0 0" * 2001),
+        svg(f'<polyline points="{"1 " * 4002}"/>'),
+        svg('<rect width="1" height="1"/>' * 501),
+    ],
+    ids=["commands", "numbers", "moves", "points", "shapes"],
+)
+def test_drawings_of_too_many_lines_are_refused(data, monkeypatch):
+    monkeypatch.setattr(svg_paths, "MOST_PIECES", 2000)
+    monkeypatch.setattr(svg_figures, "MOST_PIECES", 2000)
+    assert "draws more than" in refusal(data)
