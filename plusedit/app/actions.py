@@ -71,11 +71,15 @@ class ActionTable:
             action.setObjectName(entry.name)
             action.setMenuRole(entry.role)
             action.setCheckable(entry.checked is not None)
-            if entry.icon and icon_file(entry.icon).exists():
-                set_icon(action, entry.icon)
             action.triggered.connect(lambda _=False, run=entry.run: run())
             self._entries[entry.name], self._actions[entry.name] = entry, action
         self.refresh()
+
+    def show_icon(self, name: str) -> None:
+        """Draw the icon of an action that is about to be seen; drawing all would cost a start."""
+        entry, action = self._entries[name], self._actions[name]
+        if entry.icon and action.icon().isNull() and icon_file(entry.icon).exists():
+            set_icon(action, entry.icon)
 
     def refresh(self) -> None:
         """Check and enable the actions as the window is now."""

@@ -38,6 +38,8 @@ class Files:
         """where the design was read from or saved to; None: nowhere yet"""
         self.named: Event[()] = Event()
         """emitted when the path, or the list of recent files, changed"""
+        self.shown: Event[()] = Event()
+        """emitted when another design was put into the window"""
         self.notes: Event[str, tuple[str, ...]] = Event()
         """the name of a file, and what was repaired, left out or changed in reading it"""
         self._desk, self._settings = desk, settings
@@ -84,6 +86,7 @@ class Files:
         self._desk.session.open(design, saved=saved)
         self._view.show_design(design)
         self.named.emit()
+        self.shown.emit()
 
     def save(self) -> bool:
         """Save where it was saved before, asking for a name if need be; whether it was saved."""

@@ -36,8 +36,16 @@ def fill(bar: QMenuBar, table: ActionTable) -> dict[str, QMenu]:
             if menu is not menus[top] and menu.menuAction() not in menus[top].actions():
                 menus[top].addMenu(menu)
             menu.addAction(table[entry.name])
-        menus[top].aboutToShow.connect(table.refresh)
+        names = [entry.name for entry in members]
+        menus[top].aboutToShow.connect(lambda names=names: _prepare(table, names))
     return menus
+
+
+def _prepare(table: ActionTable, names: list[str]) -> None:
+    """What a menu needs the moment it opens."""
+    table.refresh()
+    for name in names:
+        table.show_icon(name)
 
 
 def _menu(menus: dict[str, QMenu], path: str) -> QMenu:
@@ -65,6 +73,7 @@ def context_menu(table: ActionTable, parent: QWidget) -> QMenu:
     for group in IN_CONTEXT:
         for name in group:
             if name in table:
+                table.show_icon(name)
                 menu.addAction(table[name])
         menu.addSeparator()
     return menu

@@ -88,12 +88,12 @@ def make_toolbar(table: ActionTable, gestures: Gestures) -> QToolBar:
     bar.setMovable(False)
     bar.setIconSize(ICON)
     bar.setContextMenuPolicy(Qt.ContextMenuPolicy.PreventContextMenu)
-    for name in tools_in_order():
-        bar.addAction(table[f"tool.{name}"])
-    bar.addSeparator()
-    for name in ("undo", "redo"):
-        bar.addAction(table[name])
-    bar.addSeparator()
+    for name in (*(f"tool.{tool}" for tool in tools_in_order()), "", "undo", "redo", ""):
+        if name:
+            table.show_icon(name)
+            bar.addAction(table[name])
+        else:
+            bar.addSeparator()
     kinds = NewCurveOptions(gestures)
     shown = bar.addWidget(kinds)
     shown.setVisible(gestures.tool_name == PEN)
@@ -103,6 +103,7 @@ def make_toolbar(table: ActionTable, gestures: Gestures) -> QToolBar:
     spacer.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
     bar.addWidget(spacer)
     for name in ("view.grid", "view.snap", "frame_all", "palette"):
+        table.show_icon(name)
         bar.addAction(table[name])
     for child in bar.findChildren(QWidget):
         if child.metaObject().className() == "QToolButton":

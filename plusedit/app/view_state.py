@@ -12,7 +12,7 @@ from plusedit.scene.camera import PlaneCamera, Projection
 from plusedit.scene.options import Handles, ViewOptions, camera_of, options_of, view_tree
 from plusedit.views.canvas import PlaneCanvas
 from plusedit.views.desk import Desk
-from plusedit.views.look import apply_look
+from plusedit.views.look import apply_look, theme_for
 
 
 class ViewState:
@@ -64,7 +64,8 @@ class ViewState:
         application = QApplication.instance()
         if isinstance(application, QApplication):
             self._settings.look = look
-            self._desk.set_theme(apply_look(application, look))
+            apply_look(application, look)
+            self._desk.set_theme(theme_for(look))
             self._canvas.set_theme(self._desk.theme)
             self.changed.emit()
 

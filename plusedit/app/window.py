@@ -130,6 +130,7 @@ class MainWindow(QMainWindow):
         self.session.stepped.listen(self._stepped)
         self.session.changed.listen(lambda old, new: self._leave_start_page(len(new)))
         self.files.named.listen(self._named)
+        self.files.shown.listen(self._shown)
         self.files.notes.listen(self.notes.tell)
         self.view.changed.listen(self.actions_table.refresh)
         self.gestures.tool_changed.listen(lambda _: self.actions_table.refresh())
@@ -243,14 +244,14 @@ class MainWindow(QMainWindow):
         self.setWindowModified(not self.session.is_saved)
 
     def _named(self) -> None:
-        self.setWindowTitle(f"{self.files.name}[*] — PlusEdit")
         self.setWindowFilePath("" if self.files.path is None else str(self.files.path))
         self.setWindowTitle(f"{self.files.name}[*] — PlusEdit")
         self._recent.setEnabled(bool(self.settings.recent))
-        if self.files.path is not None or self.session.undo_label:
-            self.show_view()
+
+    def _shown(self) -> None:
         self.notes.hide()
         self.magnitude.forget()
+        self.show_view()
 
     def _leave_start_page(self, shapes: int) -> None:
         if shapes and not self.session.is_previewing:
@@ -258,7 +259,8 @@ class MainWindow(QMainWindow):
 
     def _show_theme(self) -> None:
         self.start_page.set_theme(self.desk.theme)
-        refresh_icons(self)
+        if self.isVisible():
+            refresh_icons(self)
         self.magnitude.refresh()
 
     def _desktop_changed(self) -> None:

@@ -26,8 +26,11 @@ SHARPNESS = 3  # pixmaps are drawn for screens up to so many pixels per logical 
 NAME = "icon_name"  # the property that remembers which icon a thing shows
 
 
-def icon(name: str) -> QIcon:
-    """The icon of that name in the colors of the palette now; empty if there is no such file."""
+def icon(name: str, *, checkable: bool = False) -> QIcon:
+    """The icon of that name in the colors of the palette now; empty if there is no such file.
+
+    One that is `checkable` takes the accent color while it is on.
+    """
     source = _source(name)
     if not source:
         return QIcon()
@@ -36,12 +39,12 @@ def icon(name: str) -> QIcon:
     accent = palette.color(QPalette.ColorRole.Highlight)
     faint = palette.color(QPalette.ColorGroup.Disabled, QPalette.ColorRole.WindowText)
     result = QIcon()
-    for mode, state, color in (
-        (QIcon.Mode.Normal, QIcon.State.Off, text),
-        (QIcon.Mode.Normal, QIcon.State.On, accent),
-        (QIcon.Mode.Disabled, QIcon.State.Off, faint),
-        (QIcon.Mode.Disabled, QIcon.State.On, faint),
-    ):
+    colors = [(QIcon.Mode.Normal, QIcon.State.Off, text)]
+    if checkable:
+        colors.append((QIcon.Mode.Normal, QIcon.State.On, accent))
+    else:
+        colors.append((QIcon.Mode.Disabled, QIcon.State.Off, faint))
+    for mode, state, color in colors:
         result.addPixmap(QPixmap.fromImage(_image(source, color.name())), mode, state)
     return result
 
@@ -49,7 +52,7 @@ def icon(name: str) -> QIcon:
 def set_icon(target: QAction | QAbstractButton, name: str) -> None:
     """Show that icon on `target`, now and after a change of theme."""
     target.setProperty(NAME, name)
-    target.setIcon(icon(name))
+    target.setIcon(icon(name, checkable=target.isCheckable()))
 
 
 def refresh_icons(root: QObject) -> None:
@@ -58,7 +61,7 @@ def refresh_icons(root: QObject) -> None:
     targets += root.findChildren(QAbstractButton)
     for target in targets:
         if name := target.property(NAME):
-            target.setIcon(icon(name))
+            target.setIcon(icon(name, checkable=target.isCheckable()))
 
 
 def tinted(name: str, color: QColor, side: int = 16) -> QPixmap:

@@ -33,8 +33,10 @@ def apply_look(application: QApplication, look: str) -> Theme:
     """Give the whole program that look; the theme that it came to."""
     QGuiApplication.styleHints().setColorScheme(SCHEMES[look])
     theme = theme_for(look)
-    application.setPalette(palette_of(theme))
-    application.setStyleSheet(style_sheet(theme))
+    sheet = style_sheet(theme)
+    if sheet != application.styleSheet():
+        application.setPalette(palette_of(theme))
+        application.setStyleSheet(sheet)
     return theme
 
 

@@ -2,6 +2,7 @@
 
 import json
 
+import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 from PySide6.QtCore import QMimeData
@@ -40,7 +41,7 @@ def test_a_pasted_shape_has_an_id_of_its_own_and_lies_beside(filled):
     filled.clipboard.paste()
     (new,) = set(filled.session.design) - {WING, BOW}
     step = 2.0 * filled.gestures.grid_step
-    assert_allclose(points(filled, new), points(filled, WING) + [step, -step])
+    assert_allclose(points(filled, new), points(filled, WING) + np.array([step, -step]))
     assert filled.session.selection == Selection.of_shapes([new])
 
 
@@ -50,7 +51,7 @@ def test_pasting_again_goes_further_away(filled):
     filled.clipboard.paste()
     step = 2.0 * filled.gestures.grid_step
     last = list(filled.session.design)[-1]
-    assert_allclose(points(filled, last), points(filled, WING) + [2.0 * step, -2.0 * step])
+    assert_allclose(points(filled, last), points(filled, WING) + 2.0 * np.array([step, -step]))
     assert len(filled.session.design) == 4
 
 
