@@ -18,7 +18,7 @@ from plusedit.io.svg_paint import Paint, paint_of
 from plusedit.io.svg_paths import FARTHEST, MOST_PIECES, too_many_pieces
 from plusedit.io.svg_pieces import Outline
 from plusedit.io.svg_shapes import SHAPES, outlines_of
-from plusedit.io.svg_styles import INITIAL, Properties, StyleSheet, share
+from plusedit.io.svg_styles import INITIAL, Properties, StyleSheet, reference, share
 from plusedit.io.svg_tree import Element
 
 MOST_VISITS = 100_000  # elements, those that `use` repeats counted every time
@@ -64,6 +64,8 @@ class Figures:
     figures: list[Figure] = field(default_factory=list)
     counts: "Counter[str]" = field(default_factory=Counter)
     """how many of a kind were left out"""
+    gradients: int = 0
+    """paints that became one color"""
     problems: list[str] = field(default_factory=list)
     """sentences about single elements"""
 
@@ -192,6 +194,8 @@ class _Walk:
             self.found.problems.append(f"{label}: {error}; {kept}.")
         width = self._stroke_width(place)
         paint = paint_of(place.properties, width, place.opacity, self._by_id, self.sheet)
+        painted = (place.properties.get(name, "") for name in ("fill", "stroke"))
+        self.found.gradients += sum(bool(reference(text)) for text in painted)
         seen = place.properties.get("visibility") == "visible" and paint.is_seen
         visible = seen and not place.hidden
         self.found.figures.append(Figure(element.get("id"), label, outlines, paint, visible))

@@ -5,7 +5,7 @@ size are kept with the design. Shapes remember which path they come from, under 
 that writing can put the path together again and fill it.
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 from plusedit.document.design import Design
@@ -13,7 +13,7 @@ from plusedit.document.shape import Json, Shape, ShapeId
 from plusedit.io.fields import within
 from plusedit.io.formats import FormatError, Loaded
 from plusedit.io.svg_curves import How, Made, closes, fitted, path, segments, size_of, tidied
-from plusedit.io.svg_figures import Figure, figures_of
+from plusedit.io.svg_figures import Figure, Figures, figures_of
 from plusedit.io.svg_pieces import Outline
 from plusedit.io.svg_tree import parse_tree
 
@@ -45,7 +45,8 @@ def read_svg(
             because = f": {found.problems[0].rstrip('.')}" if found.problems else ""
             raise FormatError(f"holds no path or basic shape that can be read{because}")
     design = Design(reading.shapes, extra={"svg": found.frame.tree()})
-    return Loaded(design, (*reading.notes(), *_left_out(found.counts), *_told(found.problems)))
+    notes = (*reading.notes(), *_left_out(found), *_told(found.problems))
+    return Loaded(design, notes)
 
 
 @dataclass(eq=False)
@@ -124,8 +125,10 @@ class _Reading:
             yield f"{_plural(self._hidden, 'curve')} hidden: nothing of it shows in the drawing."
 
 
-def _left_out(counts: Mapping[str, int]) -> Iterator[str]:
-    for what, count in counts.items():
+def _left_out(found: Figures) -> Iterator[str]:
+    if found.gradients:
+        yield f"{_plural(found.gradients, 'gradient or pattern')} replaced by one color."
+    for what, count in found.counts.items():
         yield f"{_plural(count, what)} left out."
 
 

@@ -288,8 +288,10 @@ def test_the_fill_is_kept_beside_the_style():
 def test_a_gradient_counts_as_its_first_color():
     gradient = '<linearGradient id="g"><stop stop-color="teal"/><stop/></linearGradient>'
     other = '<radialGradient id="h" xlink:href="#g"/>'
-    shape = only(gradient, other, '<circle r="3" fill="url(#h)"/>', how="paths")
+    loaded = read(gradient, other, '<circle r="3" fill="url(#h)"/>', how="paths")
+    (shape,) = loaded.design.shapes.values()
     assert shape.extra["style"]["fill"] == "#008080"
+    assert "1 gradient or pattern was replaced by one color." in loaded.notes
 
 
 def test_shapes_are_named_after_the_label_the_title_or_the_id():

@@ -17,6 +17,7 @@ from plusedit.geometry.bases.bspline import BSpline
 from plusedit.geometry.bases.rag import RationalGaussian
 from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.lines import ControlLines
+from plusedit.io.formats.json_document import dumps, loads
 from plusedit.io.svg_cubics import chain_of
 from plusedit.io.svg_reading import read_svg
 from plusedit.io.svg_writing import left_out, write_svg
@@ -349,3 +350,10 @@ def test_a_frame_that_is_none_does_no_harm(extra):
 def test_keys_of_a_shape_that_say_nothing_do_no_harm(extra):
     shape = Shape(bezier(), "bow", extra=extra)
     assert len(written(Design({"bow": shape, "again": shape}))) == 2
+
+
+@every_file
+def test_a_drawing_kept_as_a_design_comes_out_the_same(file):
+    drawn = read_svg(file.read_bytes(), "x").design
+    if len(drawn) < 500:
+        assert write_svg(loads(dumps(drawn), "x").design) == write_svg(drawn)
