@@ -9,6 +9,8 @@ from numpy.typing import NDArray
 
 from plusedit.geometry.arrays import Floats
 
+ALONG = 1e-9  # pixels across a side, up to which a segment counts as running along it
+
 Box = tuple[Floats, Floats]
 """Lower and upper corner, (2,) each."""
 
@@ -87,9 +89,10 @@ def _inside(starts: Floats, ends: Floats, box: Box) -> tuple[Floats, Floats]:
     for axis in (0, 1):
         for bound, side in ((box[0][axis], 1.0), (box[1][axis], -1.0)):
             depth, slope = side * (starts[:, axis] - bound), side * by[:, axis]
-            outside |= (slope == 0.0) & (depth < 0.0)
-            crossing = np.divide(-depth, slope, out=np.zeros_like(depth), where=slope != 0.0)
-            enter = np.where(slope > 0.0, np.maximum(enter, crossing), enter)
-            leave = np.where(slope < 0.0, np.minimum(leave, crossing), leave)
+            crosses = np.abs(slope) > ALONG
+            outside |= ~crosses & (depth < 0.0)
+            crossing = np.divide(-depth, slope, out=np.zeros_like(depth), where=crosses)
+            enter = np.where(crosses & (slope > 0.0), np.maximum(enter, crossing), enter)
+            leave = np.where(crosses & (slope < 0.0), np.minimum(leave, crossing), leave)
     leave[outside] = -1.0
     return enter, leave

@@ -35,7 +35,7 @@ class Strokes:
 
 
 NORMAL = Strokes("line", 1.25)
-QUIET = Strokes("line@50", 1.0)
+QUIET = Strokes("line@60", 1.0)
 SELECTED = Strokes("selected", 2.0)
 
 

@@ -20,10 +20,9 @@ from plusedit.geometry.tessellate import is_fine, tessellation
 from plusedit.scene.camera import PlaneCamera
 
 TOLERANCE = 0.25  # pixels
-COARSEST = 1.0 / 128.0  # of the size of a curve: how far its first chords may stray
-AHEAD = (
-    0.6  # of the tolerance: a new grid is that fine, so that it lasts while the curve is dragged
-)
+COARSEST = 1.0 / 256.0  # of the size of a curve: how far its first chords may stray
+AHEAD = 0.5  # of the tolerance: a new grid is that fine, so that it lasts through a drag
+KEPT = 0.8  # of the tolerance: where a curve is tight, half a chord strays more than a quarter
 LARGE = 4.0  # times the view: a larger curve is made fine only near what is seen
 
 Window = tuple[float, float, float, float]
@@ -81,7 +80,7 @@ def _first(curve: PlusCurve, axes: Axes) -> Grid:
     allowed = COARSEST * (_size(curve) or 1.0)
     key = (curve.basis, allowed, axes)
     recent = _RECENT.get(key)
-    if recent is not None and is_fine(curve, recent, allowed, axes=axes):
+    if recent is not None and is_fine(curve, recent, KEPT * allowed, axes=axes):
         return recent
     grid = tessellation(curve, AHEAD * allowed, axes=axes)
     _RECENT.keep(key, grid)

@@ -9,6 +9,8 @@ from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 from itertools import chain
 
+import numpy as np
+
 from plusedit.document.design import Design
 from plusedit.document.selection import NOTHING_SELECTED, Selection
 from plusedit.document.shape import NotDrawn, Shape, ShapeId
@@ -18,7 +20,7 @@ from plusedit.scene.camera import PlaneCamera
 from plusedit.scene.control_lines import control_line_items
 from plusedit.scene.drawn import drawn
 from plusedit.scene.handles import handle_shapes
-from plusedit.scene.items import Item, Polyline
+from plusedit.scene.items import Item, Label, Polyline, Segments
 from plusedit.scene.options import ViewOptions
 from plusedit.scene.overlays import in_order
 
@@ -45,39 +47,49 @@ def scene_items(
     options: ViewOptions,
     selection: Selection = NOTHING_SELECTED,
     *,
-    hovered: ShapeId | None = None,
     only: Collection[ShapeId] | None = None,
 ) -> Layers:
-    """How `design` looks; with `only`, how those shapes of it do."""
+    """How `design` looks; with `only`, how those shapes of it do.
+
+    What is too large to be calculated with is left out.
+    """
     shown = [
-        (shape_id, shape, shape.curve)
+        (shape_id, shape, curve)
         for shape_id, shape in design.shapes.items()
-        if shape.visible and shape.curve is not None and (only is None or shape_id in only)
+        if shape.visible
+        and (curve := shape.curve) is not None
+        and (only is None or shape_id in only)
     ]
-    switched_on = [entry for entry in in_order() if entry.name in options.overlays]
-    below = (
-        item
-        for entry in switched_on
-        for _, shape, curve in shown
-        if curve is not None
-        for item in entry.draw(shape, curve, camera)
-    )
-    curves = (
-        item
-        for shape_id, shape, curve in shown
-        if curve is not None
-        for item in _curve(shape, curve, camera, shape_id in selection.shapes, shape_id == hovered)
-    )
     with_handles = [
         shape_id
         for shape_id in handle_shapes(design, selection, options)
         if only is None or shape_id in only
     ]
-    return Layers(
-        tuple(below),
-        tuple(curves),
-        tuple(_handles(design, camera, selection, with_handles)),
+    overlays = (
+        item
+        for entry in in_order()
+        if entry.name in options.overlays
+        for _, shape, curve in shown
+        for item in entry.draw(shape, curve, camera)
     )
+    curves = (
+        item
+        for shape_id, shape, curve in shown
+        for item in _curve(shape, curve, camera, shape_id in selection.shapes)
+    )
+    handles = _handles(design, camera, selection, with_handles)
+    with np.errstate(all="ignore"):
+        return Layers(*(tuple(filter(_is_finite, layer)) for layer in (overlays, curves, handles)))
+
+
+def _is_finite(item: Item) -> bool:
+    match item:
+        case Segments(starts, ends):
+            return bool(np.isfinite(starts).all() and np.isfinite(ends).all())
+        case Label(at):
+            return bool(np.isfinite(at).all())
+        case _:
+            return bool(np.isfinite(item.points).all())
 
 
 def left_out(design: Design) -> str:
@@ -98,14 +110,11 @@ def _plural(kind: str) -> str:
     return f"{kind}es" if kind.endswith("sh") else f"{kind}s"
 
 
-def _curve(
-    shape: Shape, curve: PlusCurve, camera: PlaneCamera, selected: bool, hovered: bool
-) -> Iterator[Item]:
+def _curve(shape: Shape, curve: PlusCurve, camera: PlaneCamera, selected: bool) -> Iterator[Item]:
     points = drawn(curve, camera).points
     width = WIDTH if shape.style.width is None else shape.style.width
-    if selected or hovered:
-        color = "selected@28" if selected else "hover@40"
-        yield Polyline(points, color, width + HALO)
+    if selected:
+        yield Polyline(points, "selected@28", width + HALO)
     color = shape.style.color or "plus"
     yield Polyline(points, color + DIM if shape.locked else color, width)
     if selected:

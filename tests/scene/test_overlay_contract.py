@@ -1,0 +1,114 @@
+"""What every overlay on the shelf has to keep, whoever wrote it."""
+
+import numpy as np
+import pytest
+from numpy.testing import assert_array_equal
+
+from plusedit.document.shape import Shape
+from plusedit.geometry.bases import families
+from plusedit.geometry.curve import PlusCurve
+from plusedit.geometry.lines import ControlLines
+from plusedit.scene.camera import AXES, PlaneCamera
+from plusedit.scene.items import Label, Markers, Polygon, Polyline, Segments
+from plusedit.scene.overlays import in_order, overlays
+from plusedit.scene.theme import THEMES
+from tests.designs import bits
+from tests.geometry.curves import KINDS, random_curve
+
+every_overlay = pytest.mark.parametrize("name", list(overlays))
+CAMERA = PlaneCamera((800.0, 600.0), scale=200.0)
+
+
+def drawn(name, curve, camera=CAMERA):
+    return list(overlays[name].draw(Shape(curve, "Bow & arrow"), curve, camera))
+
+
+def places(item):
+    """The positions of an item, (m, dim) each."""
+    match item:
+        case Segments(starts, ends):
+            return [starts, ends]
+        case Label(at):
+            return [at[None]]
+        case Polyline(points) | Polygon(points) | Markers(points):
+            return [points]
+
+
+def colors(item):
+    return [
+        getattr(item, name)
+        for name in ("color", "fill", "outline")
+        if getattr(item, name, None) is not None
+    ]
+
+
+@every_overlay
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("dimension", [2, 3])
+def test_it_draws_every_kind_of_curve_along_every_axis(name, kind, dimension):
+    curve = random_curve(kind, dimension=dimension, contrast=4.0)
+    for projection in AXES:
+        camera = PlaneCamera((800.0, 600.0), scale=200.0, projection=projection)
+        for item in drawn(name, curve, camera):
+            for points in places(item):
+                assert np.isfinite(camera.to_screen(points)).all()
+
+
+@every_overlay
+@pytest.mark.parametrize("family", list(families))
+@pytest.mark.parametrize("size", [2, 3, 500])
+def test_it_draws_short_and_long_curves(name, family, size):
+    if family == "bezier" and size > 100:
+        size = 100
+    # The usual cubic needs four lines; of fewer the order goes down.
+    basis = families[family].of_size(size)
+    points = np.random.default_rng(size).random((size, 2))
+    for s in (0.0, 1.0, -3.0):
+        for item in drawn(name, PlusCurve(basis, ControlLines.of(points), s)):
+            assert all(np.isfinite(rows).all() for rows in places(item))
+
+
+@every_overlay
+def test_it_draws_a_curve_whose_points_coincide(name):
+    curve = PlusCurve(families["bezier"].of_size(3), ControlLines.of(np.ones((3, 2))), 1.0)
+    for item in drawn(name, curve):
+        assert all(np.isfinite(rows).all() for rows in places(item))
+
+
+@every_overlay
+def test_it_leaves_the_curve_as_it_is(name):
+    curve = random_curve("bspline")
+    before = bits(curve)
+    drawn(name, curve)
+    assert bits(curve) == before
+
+
+@every_overlay
+def test_it_draws_the_same_every_time(name):
+    curve = random_curve("bspline")
+    for first, second in zip(drawn(name, curve), drawn(name, curve), strict=True):
+        for one, other in zip(places(first), places(second), strict=True):
+            assert_array_equal(one, other)
+
+
+@every_overlay
+def test_its_colors_are_in_every_theme(name):
+    for item in drawn(name, random_curve("bspline")):
+        for theme in THEMES.values():
+            for color in colors(item):
+                assert theme.color(color).startswith("#")
+
+
+@every_overlay
+def test_the_menu_can_tell_it_from_the_others(name):
+    entry = overlays[name]
+    assert entry.name == name
+    others = [other for other in overlays.values() if other is not entry]
+    assert entry.title not in [other.title for other in others]
+    assert entry.order not in [other.order for other in others]
+    assert not entry.shortcut or entry.shortcut not in [other.shortcut for other in others]
+
+
+def test_overlays_come_in_the_order_of_their_numbers():
+    numbers = [entry.order for entry in in_order()]
+    assert numbers == sorted(numbers)
