@@ -1,11 +1,12 @@
 """The bar of s, always in sight: how strongly the control lines of the chosen curves pull.
 
 The slider shows s / L. L, the length of the control polygon, is measured when a curve is first
-met and when the slider is reset, and remembered in between: if it followed every drag of a
-point, s / L would change though nobody touched s.
+met, when it gets or loses control lines, and when the slider is reset, and remembered in between:
+if it followed every drag of a point, s / L would change though nobody touched s.
 """
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QHBoxLayout, QLabel
@@ -23,12 +24,30 @@ RESET = 0.5  # s / L that a double-click goes back to
 NAMED = 1  # curves that are called by name
 
 
+@dataclass(frozen=True)
+class Measured:
+    """L of a curve, and what curve it was measured on."""
+
+    length: float
+    size: int
+    closed: bool
+
+    @classmethod
+    def of(cls, curve: PlusCurve) -> "Measured":
+        """L as it is now."""
+        return cls(polygon_length(curve), len(curve.lines), curve.closed)
+
+    def fits(self, curve: PlusCurve) -> bool:
+        """Whether `curve` is drawn no further than the one that was measured."""
+        return self.size == len(curve.lines) and self.closed == curve.closed
+
+
 class MagnitudeBar(LiveWidget):
     """Slider and number fields for s of the selected curves, of all visible ones if none is."""
 
     def __init__(self, desk: Desk) -> None:
         super().__init__(desk)
-        self._lengths: dict[ShapeId, float] = {}
+        self._measured: dict[ShapeId, Measured] = {}
         self.slider = MagnitudeSlider()
         self.ratio_field = NumberField("s / L", self._set_ratio, step=STEP, digits=4)
         self.s_field = NumberField("s", self._set_s, step=0.1, digits=5)
@@ -67,27 +86,28 @@ class MagnitudeBar(LiveWidget):
 
     def forget(self) -> None:
         """Another design was opened: its L are measured when they are needed."""
-        self._lengths = {}
+        self._measured = {}
         self._soon()
 
     def length(self, shape_id: ShapeId, curve: PlusCurve) -> float:
-        """L of a curve as it was when it was first met, or when the slider was last reset."""
-        if shape_id not in self._lengths:
-            self._lengths[shape_id] = polygon_length(curve)
-        return self._lengths[shape_id]
+        """L of a curve as it was measured last."""
+        measured = self._measured.get(shape_id)
+        if measured is None or not measured.fits(curve):
+            measured = self._measured[shape_id] = Measured.of(curve)
+        return measured.length
 
     def reset(self) -> None:
         """Measure L anew and put s back to half of it."""
         targets = self.targets()
         for shape_id, curve in targets.items():
-            self._lengths[shape_id] = polygon_length(curve)
+            self._measured[shape_id] = Measured.of(curve)
         self.desk.commit(self._edit(RESET))
         self._soon()
 
     def refresh(self) -> None:
         self.slider.theme = self.desk.theme
         design = self.desk.session.design
-        self._lengths = {i: length for i, length in self._lengths.items() if i in design}
+        self._measured = {i: known for i, known in self._measured.items() if i in design}
         targets = self.targets()
         for widget in (self.slider, self.ratio_field, self.s_field):
             widget.setEnabled(bool(targets))

@@ -11,7 +11,6 @@ from plusedit.commands.shapes import Rename, SetStyle
 from plusedit.document.shape import Shape, ShapeId, Style
 from plusedit.geometry.bases import families
 from plusedit.geometry.curve import PlusCurve
-from plusedit.geometry.magnitude import polygon_length
 from plusedit.views.basis_form import BasisForm, row_label
 from plusedit.views.color_button import ColorButton
 from plusedit.views.desk import Desk
@@ -45,7 +44,6 @@ class ShapeForm(QWidget):
         self._family = Choice("family", family_titles(), self._change_family)
         self._basis = BasisForm(desk)
         self._s = NumberField("s", self._set_s, step=0.1)
-        self._ratio = NumberField("s / L", self._set_ratio, step=0.01)
         self._color = ColorButton(self._set_color)
         self._width = NumberField("width", self._set_width, step=0.5)
         self._above, self._below = self._rows(), self._rows()
@@ -61,7 +59,6 @@ class ShapeForm(QWidget):
         self._above.addRow(row_label("Name"), self._name)
         self._above.addRow(row_label("Family"), self._family)
         self._below.addRow(row_label("s"), self._s)
-        self._below.addRow(row_label("s / L"), self._ratio)
         self._below.addRow(row_label("Color"), self._color)
         self._below.addRow(row_label("Width"), self._width)
         column = QVBoxLayout(self)
@@ -83,22 +80,13 @@ class ShapeForm(QWidget):
         self._basis.show_curves(self._curves)
         has_curves = bool(self._curves)
         self._above.setRowVisible(self._family, has_curves)
-        for field in (self._s, self._ratio):
-            self._below.setRowVisible(field, has_curves)
+        self._below.setRowVisible(self._s, has_curves)
         if has_curves:
             self._family.show_value(common(family_of(c) for c in self._curves.values()))
             self._s.show_value(common(curve.s for curve in self._curves.values()))
-            self._ratio.show_value(common(self._ratios()))
         styles = [shape.style for shape in shapes.values()]
         self._color.show_color([s.color for s in styles], self._desk.theme.color("plus"))
         self._width.show_value(common(s.width or USUAL_WIDTH for s in styles))
-
-    def _ratios(self) -> list[float]:
-        lengths = {i: polygon_length(curve) for i, curve in self._curves.items()}
-        return [
-            round(curve.s / lengths[i], 12) if lengths[i] else 0.0
-            for i, curve in self._curves.items()
-        ]
 
     def _rename(self, name: str) -> str:
         return self._desk.commit(Rename(next(iter(self._shapes)), name))
@@ -108,10 +96,6 @@ class ShapeForm(QWidget):
 
     def _set_s(self, value: float) -> str:
         return self._desk.commit(SetMagnitude(dict.fromkeys(self._curves, value)))
-
-    def _set_ratio(self, value: float) -> str:
-        lengths = {i: polygon_length(curve) for i, curve in self._curves.items()}
-        return self._desk.commit(SetMagnitude({i: value * length for i, length in lengths.items()}))
 
     def _set_color(self, color: str | None) -> str:
         return self._restyle("color", lambda style: replace(style, color=color))

@@ -1,12 +1,15 @@
 """The bar of s."""
 
+import numpy as np
 import pytest
 from numpy.testing import assert_array_equal
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QApplication
 
+from plusedit.commands.curves import SetMagnitude
 from plusedit.commands.lines import SetCoordinate
+from plusedit.commands.shapes import AppendLine
 from plusedit.document.selection import Selection
 from plusedit.geometry.magnitude import best_s, polygon_length
 from tests.designs import BOW, WING, a_design
@@ -177,3 +180,21 @@ def turn(widget, angle):
             False,
         ),
     )
+
+
+def test_the_length_is_measured_anew_when_a_curve_is_drawn_on(window, bar):
+    curve = window.session.design.curve(WING)
+    window.session.commit(SetMagnitude({WING: polygon_length(curve) / 2.0}))
+    bar.reset()
+    window.session.commit(AppendLine(WING, True, curve.lines.points[-1] + 1.0))
+    bar.refresh()
+    assert bar.slider.ratio == pytest.approx(0.5)
+
+
+def test_l_is_measured_again_when_a_control_line_is_added(window, bar):
+    from plusedit.commands.shapes import AppendLine
+
+    old = window.desk.lengths.of(WING, window.session.design.curve(WING))
+    window.session.commit(AppendLine(WING, True, np.array([9.0, 0.0])))
+    new = window.desk.lengths.of(WING, window.session.design.curve(WING))
+    assert new == pytest.approx(old + 5.0)
