@@ -142,18 +142,6 @@ def test_order_knots_and_family_are_edited(qtbot, window, inspector):
     assert undo_steps(window) == 4
 
 
-def test_s_over_l_sets_s(qtbot, window, inspector):
-    from plusedit.geometry.magnitude import polygon_length
-
-    window.session.select(Selection.of_shapes([WING, BOW]))
-    inspector.refresh()
-    type_into(qtbot, named(inspector, "s / L"), "1/2")
-    for shape_id in (WING, BOW):
-        curve = window.session.design.curve(shape_id)
-        assert curve.s == pytest.approx(polygon_length(curve) / 2.0)
-    assert undo_steps(window) == 1
-
-
 def test_a_name_that_is_empty_is_refused(qtbot, window, inspector):
     window.session.select(Selection.of_shapes([WING]))
     inspector.refresh()

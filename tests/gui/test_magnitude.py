@@ -198,3 +198,14 @@ def test_l_is_measured_again_when_a_control_line_is_added(window, bar):
     window.session.commit(AppendLine(WING, True, np.array([9.0, 0.0])))
     new = window.desk.lengths.of(WING, window.session.design.curve(WING))
     assert new == pytest.approx(old + 5.0)
+
+
+def test_one_s_over_l_is_set_on_several_curves_in_one_step(qtbot, window, bar):
+    window.session.select(Selection.of_shapes([WING, BOW]))
+    bar.reset()
+    bar.refresh()
+    type_into(qtbot, bar.ratio_field, "3/4")
+    for shape_id in (WING, BOW):
+        assert s(window, shape_id) == pytest.approx(0.75 * length(window, shape_id))
+    window.session.undo()
+    assert s(window) == pytest.approx(0.5 * length(window))
