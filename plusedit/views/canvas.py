@@ -37,7 +37,7 @@ from plusedit.views.pointer import held_after, key_of, pointer_of
 from plusedit.views.strata import Look, Strata, beside_rulers
 
 MARGIN = 48.0  # pixels around what is framed
-RESTS_AFTER = 120  # milliseconds without a move of the view
+RESTS_AFTER = 120  # milliseconds without an edit or a move of the view
 
 
 class PlaneCanvas(PlaneView):
@@ -57,8 +57,10 @@ class PlaneCanvas(PlaneView):
         self._strata = Strata()
         self._pointer: Pointer | None = None
         self._frame_at_first = True
+        self._is_moving = False
+        """whether the view is on its way elsewhere, and drawing all takes long"""
         self._rest = QTimer(self, singleShot=True, interval=RESTS_AFTER)
-        self._rest.timeout.connect(self.update)
+        self._rest.timeout.connect(self._at_rest)
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setMinimumSize(160, 120)
         self.setAccessibleName("Drawing")
@@ -133,10 +135,13 @@ class PlaneCanvas(PlaneView):
             self._theme,
             self._session.selection,
             self.devicePixelRatioF(),
-            draft=self._rest.isActive(),
+            draft=self._is_moving,
         )
         painter = QPainter(self)
-        self._strata.paint(painter, self._session.design, look)
+        previewed = self._session.is_previewing
+        self._strata.paint(painter, self._session.design, look, previewed=previewed)
+        if self._strata.is_apart and not previewed and not self._rest.isActive():
+            self._rest.start()
         ItemPainter(painter, self.camera, self._theme).paint(self._feedback.items)
         self._paint_words(painter, beside_rulers(look))
         painter.end()
@@ -161,11 +166,18 @@ class PlaneCanvas(PlaneView):
         self.show_cursor(feedback.cursor)
         self.update()
 
+    def _at_rest(self) -> None:
+        """There is time now to draw all as well as can be."""
+        self._is_moving = False
+        if not self._session.is_previewing:
+            self._strata.forget()
+        self.update()
+
     def _camera_moved(self) -> None:
         self._gestures.camera = self.camera
         self._gestures.grid_step = self.grid_step
-        if self._strata.is_slow:
-            self._rest.start()
+        self._is_moving = self._strata.is_slow
+        self._rest.start()
         super()._camera_moved()
 
     def _frame(self, shapes: Collection[ShapeId] | None) -> None:

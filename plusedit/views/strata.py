@@ -22,6 +22,7 @@ from plusedit.views.ground import RULER, paint_grid, paint_rulers
 from plusedit.views.painter import ItemPainter, color_of
 
 SLOW = 0.012  # seconds, for a frame
+FEW = 4  # shapes that may be drawn anew in every frame after an edit
 
 
 @dataclass(frozen=True)
@@ -56,22 +57,35 @@ class Strata:
         """Whether drawing everything took too long to be done in every frame."""
         return self._seconds > SLOW
 
-    def paint(self, painter: QPainter, design: Design, look: Look) -> None:
-        """Draw the ground, all shapes and the rulers; what follows stays beside the rulers."""
-        self._settle(design, look)
+    @property
+    def is_apart(self) -> bool:
+        """Whether some shapes are drawn in front of the rest, wherever their places are."""
+        return bool(self._moving)
+
+    def forget(self) -> None:
+        """Draw everything anew in the next frame, each shape in its place."""
+        self._look = None
+
+    def paint(self, painter: QPainter, design: Design, look: Look, *, previewed: bool) -> None:
+        """Draw the ground, all shapes and the rulers; what follows stays beside the rulers.
+
+        `previewed` tells of an edit that is still going on.
+        """
+        self._settle(design, look, previewed)
         painter.drawPixmap(0, 0, self._pixmap)
         painter.setClipRect(beside_rulers(look))
         if self._moving:
             _paint_shapes(painter, design, look, self._moving)
         self._last = design
 
-    def _settle(self, design: Design, look: Look) -> None:
+    def _settle(self, design: Design, look: Look, previewed: bool) -> None:
         """Draw what does not move anew, unless the pixmap still shows it."""
         since = changed(self._still, design) if design is not self._still else set()
         if look == self._look and since <= self._moving and not _reordered(self._still, design):
             return
-        same_look = look == self._look
-        self._moving = frozenset(changed(self._last, design)) if same_look else frozenset()
+        moving = changed(self._last, design)
+        # What was opened or edited as a whole comes to rest at once; dragged, it moves on.
+        self._moving = frozenset(moving if previewed or len(moving) <= FEW else ())
         self._look, self._still = look, design
         start = perf_counter()
         self._draw_still(design, look)

@@ -58,9 +58,8 @@ def test_it_draws_every_kind_of_curve_along_every_axis(name, kind, dimension):
 @pytest.mark.parametrize("family", list(families))
 @pytest.mark.parametrize("size", [2, 3, 500])
 def test_it_draws_short_and_long_curves(name, family, size):
-    if family == "bezier" and size > 100:
-        size = 100
-    # The usual cubic needs four lines; of fewer the order goes down.
+    if family != "bspline":
+        size = min(size, 100)  # every function reaches everywhere: none has more in practice
     basis = families[family].of_size(size)
     points = np.random.default_rng(size).random((size, 2))
     for s in (0.0, 1.0, -3.0):
