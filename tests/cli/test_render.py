@@ -1,0 +1,78 @@
+"""`plusedit render` as a person runs it: another process, no display."""
+
+import os
+import subprocess
+import sys
+
+import pytest
+
+from plusedit.__main__ import main
+
+
+def rendered(*words):
+    """The process: without a display, and without a hint that there is none."""
+    hidden = ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM")
+    environment = {key: value for key, value in os.environ.items() if key not in hidden}
+    command = [sys.executable, "-m", "plusedit", "render", *map(str, words)]
+    return subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
+
+
+def test_a_png_picture_needs_no_display(document, tmp_path):
+    out = tmp_path / "bow.png"
+    run = rendered(document, out, "--size", "320x200", "--theme", "dark")
+    assert (run.returncode, run.stdout, run.stderr) == (0, "", "")
+    data = out.read_bytes()
+    assert data.startswith(b"\x89PNG")
+    assert (int.from_bytes(data[16:20]), int.from_bytes(data[20:24])) == (320, 200)
+
+
+def test_an_svg_picture_needs_no_qt(document, tmp_path):
+    out = tmp_path / "bow.svg"
+    program = (
+        "import sys; sys.modules['PySide6'] = None\n"
+        "from plusedit.__main__ import main\n"
+        f"sys.exit(main(['render', {str(document)!r}, {str(out)!r}, '--transparent']))"
+    )
+    run = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, text=True, check=False
+    )
+    assert (run.returncode, run.stderr) == (0, "")
+    assert b'width="1200" height="800"' in out.read_bytes()
+
+
+def test_an_svg_file_can_be_what_is_drawn(tmp_path):
+    source, out = tmp_path / "line.svg", tmp_path / "again.svg"
+    source.write_text(
+        '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0 C 1 2 3 2 4 0"/></svg>'
+    )
+    assert main(["render", str(source), str(out)]) == 0
+    assert b"<polyline" in out.read_bytes()
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        (["{design}", "{folder}/out.gif"], "ends with .png or .svg"),
+        (["{design}", "{folder}/gone/out.svg"], "no folder"),
+        (["{folder}/gone.json", "{folder}/out.svg"], "no such file"),
+        (["{design}", "{folder}/out.svg", "--size", "0x5"], "WIDTHxHEIGHT"),
+        (["{design}", "{folder}/out.svg", "--size", "99999x99999"], "WIDTHxHEIGHT"),
+        (["{design}", "{folder}/out.svg", "--size", "wide"], "WIDTHxHEIGHT"),
+        (["{design}", "{folder}/out.svg", "--theme", "pink"], "invalid choice"),
+    ],
+)
+def test_what_can_not_be_done_is_said_in_one_sentence(document, tmp_path, capsys, words, sentence):
+    places = {"design": document, "folder": tmp_path}
+    assert main(["render", *(word.format(**places) for word in words)]) == 2
+    told = capsys.readouterr().err
+    assert sentence in told
+    assert told.count("\n") == 1
+    assert [path.name for path in tmp_path.iterdir()] == [document.name]
+
+
+def test_a_picture_does_not_take_the_place_of_its_source(tmp_path, capsys):
+    source = tmp_path / "line.svg"
+    source.write_text('<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0L4 0"/></svg>')
+    before = source.read_bytes()
+    assert main(["render", str(source), str(source)]) == 2
+    assert source.read_bytes() == before
