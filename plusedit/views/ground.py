@@ -110,14 +110,21 @@ def _ruler(
     painter.setFont(font_of(NUMBERS))
     painter.setPen(color_of(theme.color("quiet")))
     for value, pixel in zip(majors.tolist(), _pixels(camera, side, majors).tolist(), strict=True):
-        _number(painter, marks.text(value), pixel, side)
+        _number(painter, marks.text(value), pixel, side, camera.size[side])
 
 
-def _number(painter: QPainter, text: str, pixel: float, side: int) -> None:
-    """A number right of its tick, or above it and turned to be read upwards."""
+def _number(painter: QPainter, text: str, pixel: float, side: int, length: float) -> None:
+    """A number right of its tick, or above it and turned to be read upwards.
+
+    Left out where an end of the ruler would cut it.
+    """
+    width = painter.fontMetrics().horizontalAdvance(text)
+    start, end = (pixel + 4.0, pixel + 4.0 + width) if side == 0 else (pixel - 4.0 - width, pixel)
+    if start < RULER or end > length:
+        return
     painter.save()
     if side == 0:
-        painter.drawText(QPointF(pixel + 4.0, 10.0), text)
+        painter.drawText(QPointF(start, 10.0), text)
     else:
         painter.translate(10.0, pixel - 4.0)
         painter.rotate(-90.0)
