@@ -22,13 +22,18 @@ def frozen(values: ArrayLike, *, shape: tuple[int | None, ...], name: str) -> Fl
         or any(want not in (None, have) for want, have in zip(shape, array.shape, strict=True))
     ):
         raise ValueError(f"{name}: expected shape {shape}, got {array.shape}")
-    # Not a number is not less than anything, so one comparison finds all that is wrong.
-    if array.size and not np.abs(array).max() <= LARGEST:
-        if not np.isfinite(array).all():
-            raise ValueError(f"{name}: has a value that is not finite")
-        raise ValueError(f"{name}: has a value beyond {LARGEST:g}, which can't be calculated with")
+    # Not a number is not less than anything: one comparison finds whatever may be wrong.
+    if not np.vdot(array, array) <= LARGEST:
+        _check_entries(array, name)
     array.flags.writeable = False
     return array
+
+
+def _check_entries(array: Floats, name: str) -> None:
+    if not np.isfinite(array).all():
+        raise ValueError(f"{name}: has a value that is not finite")
+    if array.size and np.abs(array).max() > LARGEST:
+        raise ValueError(f"{name}: has a value beyond {LARGEST:g}, which can't be calculated with")
 
 
 def unit(vectors: Floats) -> Floats:

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from plusedit.geometry.arrays import Floats
-from plusedit.geometry.bases import Basis, is_local
+from plusedit.geometry.bases import Basis, is_local, is_paired
 from plusedit.geometry.matrices import Matrix, dense
 
 DENSE_UP_TO = 80_000  # entries of a matrix; beyond, skipping the zeros of a local basis pays
@@ -80,6 +80,8 @@ def blend_at(basis: Basis, u: Floats, derivative: int = 0) -> Blend:
     """The matrices at parameters u (m,), worked out anew; of a local basis banded."""
     if is_local(basis):
         return Blend(*basis.banded(u, derivative=derivative))
+    if is_paired(basis):
+        return Blend(*basis.both(u, derivative=derivative))
     return Blend(basis.values(u, derivative=derivative), basis.reaches(u, derivative=derivative))
 
 

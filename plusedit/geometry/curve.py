@@ -18,7 +18,7 @@ from plusedit.geometry.bases import Basis, is_local
 from plusedit.geometry.blend import Blend, Grid, blend, blend_at, parameters_of
 from plusedit.geometry.lines import ControlLines
 
-BLOCK = 1 << 20  # entries of one matrix, 8 MB: longer rows of parameters are taken in pieces
+BLOCK = 1 << 15  # entries of one matrix, 256 KB: longer rows of parameters go through the cache
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,7 +31,7 @@ class PlusCurve:
     """a length per unit of parameter; any finite number, 0 for the classical curve"""
 
     def __post_init__(self) -> None:
-        if len(self.lines) != self.basis.size:
+        if len(self.lines.points) != self.basis.size:
             raise ValueError(
                 f"points: {len(self.lines)} control lines for a basis of {self.basis.size}"
             )
@@ -71,7 +71,8 @@ class PlusCurve:
     def sample(self, grid: Grid) -> Floats:
         """(m, dim) points at the parameters of `grid`, by cached matrices."""
         base, plus = terms(self.basis, self.lines, grid)
-        points: Floats = base + self.s * plus
+        points: Floats = self.s * plus
+        points += base
         return points
 
     def at(self, u: ArrayLike) -> Floats:
@@ -133,7 +134,7 @@ def terms(basis: Basis, lines: ControlLines, grid: Grid) -> tuple[Floats, Floats
     matrices = blend(basis, grid)
     directions = lines.directions(closed=basis.closed)
     if lines.weights is None:
-        return matrices.values @ lines.points, matrices.reaches @ directions
+        return matrices.values.dot(lines.points), matrices.reaches.dot(directions)
     weights = lines.unit_weights
     below = (matrices.values @ weights)[:, None]
     base = matrices.values @ (weights[:, None] * lines.points) / below

@@ -11,7 +11,8 @@ one-sided at the ends of an open curve, cyclic on a closed one (eq. 10 of the pa
 """
 
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -20,14 +21,29 @@ from plusedit.geometry.arrays import Floats, frozen, unit
 
 Flags = NDArray[np.bool_]
 
+TINY = 1e-290  # lengths below have too few digits to divide by
+
 
 def automatic_directions(points: Floats, *, closed: bool) -> Floats:
     """(n, dim) unit directions from neighbour to neighbour; zero where the two coincide."""
-    around = np.empty_like(points)
-    around[1:-1] = points[2:] - points[:-2]
-    first, last = (points[-1], points[0]) if closed else (points[0], points[-1])
-    around[0], around[-1] = points[1] - first, last - points[-2]
-    return unit(around)
+    before, after = _neighbors(len(points), closed)
+    across = (points.take(after, axis=0) - points.take(before, axis=0)).T
+    lengths = np.hypot(across[0], across[1])
+    if len(across) == 3:
+        lengths = np.hypot(lengths, across[2])
+    if np.minimum.reduce(lengths) < TINY:
+        return unit(across.T)
+    directions: Floats = (across / lengths).T
+    return directions
+
+
+@lru_cache(maxsize=256)
+def _neighbors(count: int, closed: bool) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """(count,) each: the indices before and after; at the ends of an open curve the end itself."""
+    here = np.arange(count)
+    if closed:
+        return (here - 1) % count, (here + 1) % count
+    return np.maximum(here - 1, 0), np.minimum(here + 1, count - 1)
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,11 +65,7 @@ class ControlLines:
     _resolved: dict[bool, Floats] = field(default_factory=dict, init=False, repr=False)
 
     def __post_init__(self) -> None:
-        points = frozen(self.points, shape=(None, None), name="points")
-        if len(points) < 2:
-            raise ValueError(f"points: a curve needs at least 2 control lines, got {len(points)}")
-        if points.shape[1] not in (2, 3):
-            raise ValueError(f"points: rows need 2 or 3 numbers, got {points.shape[1]}")
+        points = _checked_points(self.points)
         automatic = np.array(self.automatic, dtype=np.bool_)
         if automatic.shape != (len(points),):
             raise ValueError(f"automatic: expected shape {(len(points),)}, got {automatic.shape}")
@@ -80,9 +92,13 @@ class ControlLines:
         weights: ArrayLike | None = None,
     ) -> "ControlLines":
         """Control lines at `points`; `directions` may hold None, or be None, for automatic ones."""
-        at = np.asarray(points, dtype=np.float64)
         if directions is None:
-            return cls(at, np.zeros_like(at), np.ones(len(at), dtype=bool), _floats(weights))
+            at = _checked_points(points)
+            free = _all_automatic(*at.shape)
+            known = {"points": at, "given": free.given, "automatic": free.automatic}
+            made = cls._known(known | {"weights": None, "_resolved": {}})
+            return made if weights is None else made.with_weights(_floats(weights))
+        at = np.asarray(points, dtype=np.float64)
         rows = list(directions)  # type: ignore[arg-type]
         if len(rows) != len(at):
             raise ValueError(f"directions: expected {len(at)} rows, got {len(rows)}")
@@ -92,6 +108,13 @@ class ControlLines:
                 given[index] = row
         automatic = np.array([row is None for row in rows])
         return cls(at, given, automatic, _floats(weights))
+
+    @classmethod
+    def _known(cls, known: dict[str, Any]) -> "ControlLines":
+        """Lines of fields that are checked and read-only; made for every frame of a drag."""
+        made = object.__new__(cls)
+        vars(made).update(known)
+        return made
 
     def __len__(self) -> int:
         return len(self.points)
@@ -129,14 +152,10 @@ class ControlLines:
         """The same lines through other points; automatic directions follow them."""
         if len(points) != len(self):
             return replace(self, points=points)
-        # The rest was checked when it came in; this is made for every frame of a drag.
-        made = object.__new__(ControlLines)
-        vars(made).update(vars(self))
-        resolved = {} if self._automatic_count else self._resolved
-        vars(made).update(
-            points=frozen(points, shape=self.points.shape, name="points"), _resolved=resolved
-        )
-        return made
+        known = vars(self) | {"points": frozen(points, shape=self.points.shape, name="points")}
+        if self._automatic_count:
+            known["_resolved"] = {}
+        return self._known(known)
 
     def with_direction(self, index: int, direction: Floats | None) -> "ControlLines":
         """The same lines but for one direction; None makes it automatic again."""
@@ -158,6 +177,22 @@ class ControlLines:
         """The lines of those indices, in that order."""
         weights = None if self.weights is None else self.weights[rows]
         return ControlLines(self.points[rows], self.given[rows], self.automatic[rows], weights)
+
+
+def _checked_points(points: ArrayLike) -> Floats:
+    at = frozen(points, shape=(None, None), name="points")
+    if len(at) < 2:
+        raise ValueError(f"points: a curve needs at least 2 control lines, got {len(at)}")
+    if at.shape[1] not in (2, 3):
+        raise ValueError(f"points: rows need 2 or 3 numbers, got {at.shape[1]}")
+    return at
+
+
+@lru_cache(maxsize=64)
+def _all_automatic(count: int, dimension: int) -> ControlLines:
+    """Lines that lend their `given` and `automatic` to all others without a direction."""
+    nowhere = np.zeros((count, dimension))
+    return ControlLines(nowhere, nowhere, np.ones(count, dtype=bool))
 
 
 def _floats(values: ArrayLike | None) -> Floats | None:

@@ -73,6 +73,20 @@ class LocalBasis(Basis, Protocol):
         ...
 
 
+@runtime_checkable
+class PairedBasis(Basis, Protocol):
+    """A basis that works out values and reaches together for the price of one."""
+
+    def both(self, u: Floats, *, derivative: int = 0) -> tuple[Floats, Floats]:
+        """`values` and `reaches`."""
+        ...
+
+
+def is_paired(basis: Basis) -> TypeGuard[PairedBasis]:
+    """Whether the basis has `both`."""
+    return hasattr(basis, "both")
+
+
 def is_local(basis: Basis) -> TypeGuard[LocalBasis]:
     """Whether the basis has `order`, `breaks` and `banded`."""
     # A look at one name: isinstance of a protocol looks at all, and this is asked every frame.

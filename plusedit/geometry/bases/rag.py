@@ -10,15 +10,18 @@ from functools import cached_property
 from math import ceil
 
 import numpy as np
+from numpy.typing import NDArray
 
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.bases import register
 from plusedit.geometry.domain import clamped, wrapped
 
 USUAL_WIDTH = 0.6  # of the node spacing: smooth, and still close to the control points
-FARTHEST = 9.5  # in sigma: an image that far away is lost beside the nearest one
+FARTHEST = 9.5  # in sigma: a Gaussian that much farther away is lost beside the nearest
 NARROW = 1e-60  # a narrower Gaussian is as much of a step; the fourth power of this fits a double
 FLAT = 2.0  # a closed Gaussian wider than this differs from a constant by exp(-2 pi^2 4) = 5e-35
+
+Indices = NDArray[np.intp]
 
 
 @register("rag")
@@ -58,51 +61,63 @@ class RationalGaussian:
         return self._nodes
 
     def values(self, u: Floats, *, derivative: int = 0) -> Floats:
-        shares, _ = self._shares(u, derivative)
-        total: Floats = shares[derivative].sum(axis=2)
-        return total
+        shares, _, columns = self._shares(u, derivative)
+        return self._gathered(shares[derivative], columns)
 
     def reaches(self, u: Floats, *, derivative: int = 0) -> Floats:
-        shares, distance = self._shares(u, derivative)
+        return self.both(u, derivative=derivative)[1]
+
+    def both(self, u: Floats, *, derivative: int = 0) -> tuple[Floats, Floats]:
+        shares, distance, columns = self._shares(u, derivative)
         reach = distance * shares[derivative]
         if derivative:
             reach += derivative * shares[derivative - 1]
-        total: Floats = reach.sum(axis=2)
-        return total
+        return self._gathered(shares[derivative], columns), self._gathered(reach, columns)
 
-    def _shares(self, u: Floats, highest: int) -> tuple[list[Floats], Floats]:
-        """Every image of every Gaussian, divided by the sum of all, (m, n, images); derivatives.
+    def _shares(self, u: Floats, highest: int) -> tuple[list[Floats], Floats, Indices | None]:
+        """Gaussians divided by the sum of all, (m, t), and derivatives; of every image its own.
 
-        With them the distances u - x_i - m. The derivative of log G is z = -distance / sigma^2, so
+        With them the distances u - x_i - m, and the numbers of the t terms if they are not all.
+        The derivative of log G is z = -distance / sigma^2, so
 
             b' = b y,   b'' = b (y^2 + z' - mean(y^2 + z')),   y = z - mean(z),
 
         the means weighted by b. Only differences of z count, and of z'; they are taken from the
         largest Gaussian, beside which the others may be next to nothing.
         """
-        distance = self._distances(u)
-        width = self._widths[:, None]
-        exponent = -0.5 * (distance / width) ** 2
+        places, widths, heights = self._terms
+        inside = wrapped(u) if self.closed else clamped(u)
+        columns = None
+        if self._count < len(places):
+            first = np.searchsorted(places, inside - self._farthest)
+            first = np.minimum(first, len(places) - self._count)
+            columns = first[:, None] + np.arange(self._count)
+            places, widths, heights = places[columns], widths[columns], heights[columns]
+        distance = inside[:, None] - places
+        exponent = -0.5 * (distance / widths) ** 2
         # The largest exponent cancels in the quotient; kept in, a small sigma gives 0 / 0.
-        exponent -= exponent.max(axis=(1, 2), keepdims=True)
-        b = self._heights[:, None] * np.exp(exponent)
-        b /= b.sum(axis=(1, 2), keepdims=True)
+        exponent -= exponent.max(axis=1, keepdims=True)
+        b = heights * np.exp(exponent)
+        b /= b.sum(axis=1, keepdims=True)
         shares = [b]
         if highest:
-            y = _from_mean(-distance / width**2, b)
+            y = _from_mean(-distance / widths**2, b)
             shares.append(b * y)
         if highest == 2:
-            bend = np.broadcast_to(-1.0 / width**2, b.shape)
+            bend = np.broadcast_to(-1.0 / widths**2, b.shape)
             shares.append(b * (_from_mean(y**2, b) + _from_mean(bend, b)))
-        return shares, distance
+        return shares, distance, columns
 
-    def _distances(self, u: Floats) -> Floats:
-        """(m, n, images) of u from the nodes and their images."""
-        if not self.closed:
-            return (clamped(u)[:, None] - self._nodes)[..., None]
-        distance = wrapped(u)[:, None] - self._nodes
-        distance -= np.round(distance)
-        return distance[..., None] - self._images
+    def _gathered(self, terms: Floats, columns: Indices | None) -> Floats:
+        """(m, n) the terms (m, t) of all images added up."""
+        if columns is None:
+            images = terms.shape[1] // self.size
+            total: Floats = terms.reshape(len(terms), images, self.size).sum(axis=1)
+            return total
+        # No two of so few neighbors are images of the same node.
+        total = np.zeros((len(terms), self.size))
+        np.put_along_axis(total, columns % self.size, terms, axis=1)
+        return total
 
     @cached_property
     def _hash(self) -> int:
@@ -126,21 +141,38 @@ class RationalGaussian:
         return np.maximum(widths / self._widths, 1.0)
 
     @cached_property
-    def _images(self) -> Floats:
-        # From -1/2 to 1/2 to the nearest image; another one may be as near.
-        count = max(1, ceil(FARTHEST * float(self._widths.max()) - 0.5))
-        return np.arange(-count, count + 1, dtype=np.float64)
+    def _terms(self) -> tuple[Floats, Floats, Floats]:
+        """The nodes and all their images that may count, rising, with widths and heights."""
+        beyond = max(1, ceil(FARTHEST * float(self._widths.max()))) if self.closed else 0
+        images = np.arange(-beyond, beyond + 1, dtype=np.float64)
+        places = (images[:, None] + self._nodes).ravel()
+        return places, np.tile(self._widths, len(images)), np.tile(self._heights, len(images))
+
+    @cached_property
+    def _farthest(self) -> float:
+        """The distance from which on a Gaussian is lost beside that of the nearest node."""
+        x = self._nodes
+        ends = [x[0] + 1.0 - x[-1]] if self.closed else [2.0 * x[0], 2.0 * (1.0 - x[-1])]
+        empty = max([*np.diff(x), *ends]) / 2.0
+        least, most = float(self._widths.min()), float(self._widths.max())
+        return 1.001 * most * float(np.hypot(FARTHEST, empty / least))
+
+    @cached_property
+    def _count(self) -> int:
+        """How many neighbors lie within that distance, or all terms if that is no fewer."""
+        places = self._terms[0]
+        last = np.searchsorted(places, places + 2.0 * self._farthest, side="right")
+        count = int((last - np.arange(len(places))).max())
+        return count if count <= self.size // 2 else len(places)
 
 
 def _from_mean(of: Floats, b: Floats) -> Floats:
-    """Every entry less the mean of its row weighted by b, rows being all but the first axis."""
-    rows, shares = of.reshape(len(of), -1), b.reshape(len(b), -1)
-    if not len(rows):
+    """(m, t) every entry less the mean of its row weighted by b."""
+    if not len(b):
         return of
-    largest = shares.argmax(axis=1)[:, None]
-    rows = rows - np.take_along_axis(rows, largest, axis=1)
-    means = np.einsum("mi,mi->m", shares, rows)
-    differences: Floats = (rows - means[:, None]).reshape(b.shape)
+    largest = b.argmax(axis=1)[:, None]
+    rows = of - np.take_along_axis(of, largest, axis=1)
+    differences: Floats = rows - np.einsum("mi,mi->m", b, rows)[:, None]
     return differences
 
 
