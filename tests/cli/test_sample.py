@@ -148,10 +148,13 @@ def test_nothing_is_written_where_something_is_wrong(document, refused, tmp_path
 
 
 def test_a_result_beyond_a_double_is_told(tmp_path, refused):
-    narrow = DOCUMENT.replace(b"[0.1, 0.2, 0.1]", b"1e-300")
-    (tmp_path / "bow.json").write_bytes(narrow)
+    basis = {"family": "bspline", "order": 2, "knots": [0, 0, 1e-300, 1, 1]}
+    shape = {"id": "steep", "kind": "curve", "s": 0, "basis": basis}
+    shape["points"] = [[0, 0], [1e99, 0], [0, 1]]
+    design = {"format": "plusedit-design", "version": 1, "shapes": [shape]}
+    (tmp_path / "bow.json").write_text(json.dumps(design))
     told = refused(tmp_path / "bow.json", "-o", tmp_path / "out.json")
-    assert told.startswith('bow.json: shape "bow": position: is beyond a double at u = ')
+    assert told.startswith('bow.json: shape "steep": d1: is beyond a double at u = 0')
     assert not (tmp_path / "out.json").exists()
 
 
