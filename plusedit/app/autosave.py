@@ -11,6 +11,7 @@ import uuid
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from threading import Thread
 
 from PySide6.QtCore import QLockFile, QObject, QTimer
 
@@ -45,22 +46,34 @@ class Autosave(QObject):
         self._lock = lock_of(self.file)
         self._lock.tryLock(0)
         self._kept: Design | None = None
+        self._writing: Thread | None = None
         self._idle = self._timer(IDLE)
         self._at_most = self._timer(AT_MOST)
         session.stepped.listen(self._stepped)
 
     def keep(self) -> None:
         """Write the design now if it has changes that are neither saved nor kept."""
+        self.begin()
+        self.finish()
+
+    def begin(self) -> None:
+        """The same beside the work, which a large design would hold up."""
         self._idle.stop()
         self._at_most.stop()
         design = self._session.committed
         if self._session.is_saved or design is self._kept:
             return
-        try:
-            write(self.file, design, self._path_of_design())
-            self._kept = design
-        except (OSError, FormatError) as error:
-            log.warning("autosave: %s", error)
+        self.finish()
+        self._kept = design
+        arguments = (self.file, design, self._path_of_design())
+        self._writing = Thread(target=_write_or_log, args=arguments, name="autosave")
+        self._writing.start()
+
+    def finish(self) -> None:
+        """Wait for what is being written."""
+        if self._writing is not None:
+            self._writing.join()
+            self._writing = None
 
     def close(self) -> None:
         """The program ends as it should: nothing is left behind."""
@@ -80,6 +93,7 @@ class Autosave(QObject):
                 self._at_most.start()
 
     def _remove(self) -> None:
+        self.finish()
         self._kept = None
         self.file.unlink(missing_ok=True)
 
@@ -87,7 +101,7 @@ class Autosave(QObject):
         timer = QTimer(self)
         timer.setSingleShot(True)
         timer.setInterval(pause)
-        timer.timeout.connect(self.keep)
+        timer.timeout.connect(self.begin)
         return timer
 
 
@@ -109,6 +123,13 @@ def write(file: Path, design: Design, path: Path | None) -> None:
         stream.flush()
         os.fsync(stream.fileno())
     part.replace(file)
+
+
+def _write_or_log(file: Path, design: Design, path: Path | None) -> None:
+    try:
+        write(file, design, path)
+    except (OSError, FormatError) as error:
+        log.warning("autosave: %s", error)
 
 
 @dataclass(eq=False)

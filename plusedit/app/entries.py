@@ -97,9 +97,9 @@ def edit_entries(window: "MainWindow") -> Iterator[Entry]:
             f"begin.{drag}", name, "Edit", _begins(window, drag), (key,), 3,
             hint="Follows the pointer; type numbers, X or Y for an axis, Enter accepts",
         )  # fmt: skip
-    yield Entry("palette", "Command palette…", "Edit", window.show_palette,
+    yield Entry("palette", "Command palette…", "Edit", window.side.show_palette,
                 ("Ctrl+Shift+P",), 9, "search")  # fmt: skip
-    yield Entry("preferences", "Preferences…", "Edit", window.show_preferences, ("Ctrl+,",), 9,
+    yield Entry("preferences", "Preferences…", "Edit", window.side.show_preferences, ("Ctrl+,",), 9,
                 "settings", role=QAction.MenuRole.PreferencesRole)  # fmt: skip
 
 
@@ -182,9 +182,9 @@ def view_entries(window: "MainWindow") -> Iterator[Entry]:
 
 def help_entries(window: "MainWindow") -> Iterator[Entry]:
     """Help and the start page."""
-    yield Entry("help", "Keys and mouse", "Help", window.show_help, ("F1",), 0, "help")
+    yield Entry("help", "Keys and mouse", "Help", window.side.show_help, ("F1",), 0, "help")
     yield Entry("start_page", "Start page", "Help", window.show_start_page, (), 0, "home")
-    yield Entry("about", "About PlusEdit", "Help", window.show_about, (), 1,
+    yield Entry("about", "About PlusEdit", "Help", window.side.show_about, (), 1,
                 role=QAction.MenuRole.AboutRole)  # fmt: skip
 
 

@@ -27,7 +27,7 @@ class Figure(QFrame):
 
     def __init__(self) -> None:
         super().__init__()
-        self.setProperty("card", True)
+        self.setProperty("framed", True)
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         curve = PlusCurve(BSpline(len(POINTS), 4), ControlLines.of(POINTS))
         self._length = polygon_length(curve)

@@ -110,7 +110,8 @@ class Files:
         """Write a copy in the format that the suffix of `path` stands for."""
         from plusedit.io.files import save
 
-        return self._tried(lambda: save(self._desk.session.committed, path), path)
+        design = self._desk.session.committed
+        return self._tried(lambda: save(design, path), path)
 
     def export_svg(self) -> None:
         """Ask for a name and write an SVG drawing."""
@@ -150,18 +151,20 @@ class Files:
         from plusedit.io.files import save
 
         self._desk.gestures.cancel()
-        design = self._view.kept_with(self._desk.session.committed)
+        committed = self._desk.session.committed
+        design = self._view.kept_with(committed)
         if not self._tried(lambda: save(design, path), path):
             return False
         self.path = path
-        self._desk.session.mark_saved()
+        if self._desk.session.committed is committed:
+            self._desk.session.mark_saved()
         self._remember(path)
         self._desk.say(f"Saved {path.name}.")
         return True
 
     def _tried(self, act: Callable[[], object], path: Path) -> bool:
         try:
-            act()
+            in_background(self._parent, f"Writing {path.name} …", act, can_cancel=False)
         except (FormatError, OSError) as error:
             self.dialogs.error(said(error, path))
             return False

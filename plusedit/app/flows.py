@@ -1,8 +1,10 @@
 """What takes a question or two: a new design, importing, pictures, recovery."""
 
+import sys
 from collections.abc import Callable
 from pathlib import Path
 
+from PySide6.QtCore import QProcess
 from PySide6.QtWidgets import QWidget
 
 from plusedit.app import recovery
@@ -113,3 +115,8 @@ def read_drawing(path: Path, reading: Reading) -> Loaded:
     from plusedit.io.svg_reading import read_svg
 
     return read_svg(read_file(path), path.name, reading.how, tolerance=reading.tolerance)
+
+
+def open_elsewhere(path: Path) -> None:
+    """Open a file in a window of its own, which is a program of its own."""
+    QProcess.startDetached(sys.executable, ["-m", "plusedit", "open", str(path.absolute())])

@@ -51,6 +51,7 @@ def make_application(arguments: list[str]) -> QApplication:
 def begin(window: "MainWindow", paths: list[Path]) -> None:
     """Offer what a crash left behind, else open files."""
     from plusedit.app.autosave import has_left_behind
+    from plusedit.app.flows import open_elsewhere
 
     if has_left_behind() and window.flows.recover():
         return
@@ -58,10 +59,3 @@ def begin(window: "MainWindow", paths: list[Path]) -> None:
         window.files.open(paths[0])
     for path in paths[1:]:
         open_elsewhere(path)
-
-
-def open_elsewhere(path: Path) -> None:
-    """Open a file in a program of its own."""
-    from PySide6.QtCore import QProcess
-
-    QProcess.startDetached(sys.executable, ["-m", "plusedit", str(path.absolute())])

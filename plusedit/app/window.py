@@ -13,12 +13,10 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import (
     QAbstractSpinBox,
     QApplication,
-    QDialog,
     QKeySequenceEdit,
     QLineEdit,
     QMainWindow,
     QMenu,
-    QMessageBox,
     QStackedWidget,
     QTextEdit,
     QToolBar,
@@ -26,7 +24,6 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from plusedit import __version__
 from plusedit.app import menus
 from plusedit.app.actions import ActionTable, Entry
 from plusedit.app.autosave import Autosave
@@ -34,9 +31,10 @@ from plusedit.app.clipboard import Clipboard
 from plusedit.app.docks import Docks
 from plusedit.app.entries import all_entries
 from plusedit.app.files import Files
-from plusedit.app.flows import Flows
+from plusedit.app.flows import Flows, open_elsewhere
 from plusedit.app.notes_bar import NotesBar
 from plusedit.app.settings import Settings
+from plusedit.app.side_windows import SideWindows
 from plusedit.app.start_page import StartPage
 from plusedit.app.status import Status
 from plusedit.app.toolbar import make_toolbar
@@ -70,6 +68,7 @@ class MainWindow(QMainWindow):
         self.flows = Flows(self.desk, self.files, self.autosave, self)
         self.clipboard = Clipboard(self.desk)
         self.magnitude = MagnitudeBar(self.desk)
+        self.side = SideWindows(self)
         self.notes, self.status = NotesBar(), Status(self.desk)
         self.start_page = StartPage(self.files.open, self.flows.new, self.files.open)
         self.stack = QStackedWidget()
@@ -185,25 +184,6 @@ class MainWindow(QMainWindow):
         self.start_page.show_recent([path for path in self.settings.recent if path.exists()])
         self.stack.setCurrentWidget(self.start_page)
 
-    def show_palette(self) -> None:
-        """The command palette."""
-        from plusedit.app.palette import Palette
-
-        self.gestures.cancel()
-        self.actions_table.refresh()
-        self.palette_window = Palette(self.actions_table, self)
-        self.palette_window.show()
-        self.palette_window.typed.setFocus()
-
-    def show_preferences(self) -> None:
-        """The preferences; what was chosen takes effect at once."""
-        from plusedit.app.preferences import Preferences
-
-        self.gestures.cancel()
-        dialog = Preferences(self.settings, self.actions_table, self)
-        if dialog.exec() == QDialog.DialogCode.Accepted:
-            self.take_settings()
-
     def take_settings(self) -> None:
         """Do as the settings say now."""
         self.view.set_look(self.settings.look)
@@ -211,22 +191,6 @@ class MainWindow(QMainWindow):
         self.tool_bar.kinds.show_kind(self.gestures.new_curves)  # type: ignore[attr-defined]
         self.gestures.grid_step = self.settings.grid_step or self.canvas.grid_step
         self.actions_table.set_shortcuts(self.settings.shortcuts)
-
-    def show_help(self) -> None:
-        """Mouse, keys, and what a plus curve is, in a window beside this one."""
-        from plusedit.app.help_window import HelpWindow
-
-        self.help_window = HelpWindow(self.actions_table, self)
-        self.help_window.show()
-
-    def show_about(self) -> None:
-        """Name, version, and what it is."""
-        QMessageBox.about(
-            self,
-            "About PlusEdit",
-            f"<h3>PlusEdit {__version__}</h3><p>An editor for plus curves: free-form curves "
-            "shaped by control lines, points with a direction.</p>",
-        )
 
     def toggle_full_screen(self) -> None:
         """The whole screen, or a window again."""
@@ -299,6 +263,8 @@ class MainWindow(QMainWindow):
         if paths:
             event.acceptProposedAction()
             self.files.open(paths[0])
+        for path in paths[1:]:
+            open_elsewhere(path)
 
     def closeEvent(self, event: QCloseEvent) -> None:
         self.magnitude.slider.finish()

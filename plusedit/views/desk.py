@@ -10,6 +10,7 @@ from plusedit.events import Event
 from plusedit.geometry.curve import PlusCurve
 from plusedit.interaction.gesture import Gestures
 from plusedit.scene.theme import LIGHT, Theme
+from plusedit.views.lengths import Lengths
 
 
 class Desk:
@@ -20,6 +21,7 @@ class Desk:
         self.gestures = gestures
         self.said: Event[str] = Event()
         """a sentence for the status bar"""
+        self.lengths = Lengths()
         self.theme: Theme = LIGHT
         self.theme_changed: Event[Theme] = Event()
 

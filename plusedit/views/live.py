@@ -10,7 +10,8 @@ from PySide6.QtWidgets import QFrame, QLabel, QSizePolicy, QWidget
 
 from plusedit.views.desk import Desk
 
-PAUSE = 16  # milliseconds: panels follow a drag no faster than screens do
+PAUSE = 10  # milliseconds: what changes together is shown together
+PAUSE_OF_DRAG = 50  # milliseconds: numbers may lag behind a drag, so that the drawing need not
 
 T = TypeVar("T")
 
@@ -23,7 +24,6 @@ class LiveWidget(QWidget):
         self.desk = desk
         self._timer = QTimer(self)
         self._timer.setSingleShot(True)
-        self._timer.setInterval(PAUSE)
         self._timer.timeout.connect(self.refresh)
         desk.session.changed.listen(self._soon)
         desk.session.selected.listen(self._soon)
@@ -39,7 +39,7 @@ class LiveWidget(QWidget):
 
     def _soon(self, *_: object) -> None:
         if self.isVisible() and not self._timer.isActive():
-            self._timer.start()
+            self._timer.start(PAUSE_OF_DRAG if self.desk.session.is_previewing else PAUSE)
 
 
 def common(values: Iterable[T]) -> T | None:

@@ -217,6 +217,9 @@ QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
 QTabBar::tab { padding: 6px 12px; color: @quiet; border: none; background: transparent; }
 QTabBar::tab:selected { color: @text; border-bottom: 2px solid @accent; }
 QTabWidget::pane { border: none; border-top: 1px solid @border; }
+QDialogButtonBox, QMessageBox { dialogbuttonbox-buttons-have-icons: 0; }
+QWidget[framed="true"] { background: @panel; border: 1px solid @border; border-radius: 8px; }
+QAbstractScrollArea::corner { background: transparent; border: none; }
 QToolTip { background: @panel; color: @text; border: 1px solid @border; padding: 4px 8px; }
 QFrame[rule="true"] { background: @border; border: none; max-height: 1px; min-height: 1px; }
 QWidget[panel="true"] { background: @panel; border-top: 1px solid @border; }

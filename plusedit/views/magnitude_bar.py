@@ -1,12 +1,6 @@
-"""The bar of s, always in sight: how strongly the control lines of the chosen curves pull.
-
-The slider shows s / L. L, the length of the control polygon, is measured when a curve is first
-met, when it gets or loses control lines, and when the slider is reset, and remembered in between:
-if it followed every drag of a point, s / L would change though nobody touched s.
-"""
+"""The bar of s, always in sight: how strongly the control lines of the chosen curves pull."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QHBoxLayout, QLabel
@@ -14,7 +8,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel
 from plusedit.commands.curves import SetMagnitude
 from plusedit.document.shape import ShapeId
 from plusedit.geometry.curve import PlusCurve
-from plusedit.geometry.magnitude import best_s, polygon_length
+from plusedit.geometry.magnitude import best_s
 from plusedit.views.desk import Desk
 from plusedit.views.fields import NumberField
 from plusedit.views.live import LiveWidget, common
@@ -24,30 +18,11 @@ RESET = 0.5  # s / L that a double-click goes back to
 NAMED = 1  # curves that are called by name
 
 
-@dataclass(frozen=True)
-class Measured:
-    """L of a curve, and what curve it was measured on."""
-
-    length: float
-    size: int
-    closed: bool
-
-    @classmethod
-    def of(cls, curve: PlusCurve) -> "Measured":
-        """L as it is now."""
-        return cls(polygon_length(curve), len(curve.lines), curve.closed)
-
-    def fits(self, curve: PlusCurve) -> bool:
-        """Whether `curve` is drawn no further than the one that was measured."""
-        return self.size == len(curve.lines) and self.closed == curve.closed
-
-
 class MagnitudeBar(LiveWidget):
     """Slider and number fields for s of the selected curves, of all visible ones if none is."""
 
     def __init__(self, desk: Desk) -> None:
         super().__init__(desk)
-        self._measured: dict[ShapeId, Measured] = {}
         self.slider = MagnitudeSlider()
         self.ratio_field = NumberField("s / L", self._set_ratio, step=STEP, digits=4)
         self.s_field = NumberField("s", self._set_s, step=0.1, digits=5)
@@ -86,37 +61,26 @@ class MagnitudeBar(LiveWidget):
 
     def forget(self) -> None:
         """Another design was opened: its L are measured when they are needed."""
-        self._measured = {}
+        self.desk.lengths.forget()
         self._soon()
-
-    def length(self, shape_id: ShapeId, curve: PlusCurve) -> float:
-        """L of a curve as it was measured last."""
-        measured = self._measured.get(shape_id)
-        if measured is None or not measured.fits(curve):
-            measured = self._measured[shape_id] = Measured.of(curve)
-        return measured.length
 
     def reset(self) -> None:
         """Measure L anew and put s back to half of it."""
         targets = self.targets()
         for shape_id, curve in targets.items():
-            self._measured[shape_id] = Measured.of(curve)
+            self.desk.lengths.measure(shape_id, curve)
         self.desk.commit(self._edit(RESET))
         self._soon()
 
     def refresh(self) -> None:
         self.slider.theme = self.desk.theme
-        design = self.desk.session.design
-        self._measured = {i: known for i, known in self._measured.items() if i in design}
+        lengths = self.desk.lengths
+        lengths.keep_only(self.desk.session.design)
         targets = self.targets()
         for widget in (self.slider, self.ratio_field, self.s_field):
             widget.setEnabled(bool(targets))
         self._what.setText(self._named(targets))
-        ratios = [
-            curve.s / length if (length := self.length(i, curve)) else 0.0
-            for i, curve in targets.items()
-        ]
-        ratio = common(round(value, 9) for value in ratios)
+        ratio = common(round(lengths.ratio(i, curve), 9) for i, curve in targets.items())
         self.slider.show_ratio(ratio, self._best(targets))
         empty = "mixed" if targets else ""
         self.ratio_field.show_value(ratio, mixed=empty)
@@ -128,7 +92,7 @@ class MagnitudeBar(LiveWidget):
         if len(targets) != 1:
             return None
         (shape_id, curve) = next(iter(targets.items()))
-        best, length = best_s(curve), self.length(shape_id, curve)
+        best, length = best_s(curve), self.desk.lengths.of(shape_id, curve)
         return best / length if best is not None and length else None
 
     def _named(self, targets: Mapping[ShapeId, PlusCurve]) -> str:
@@ -142,7 +106,7 @@ class MagnitudeBar(LiveWidget):
         return f"All {len(targets)} curves"
 
     def _edit(self, ratio: float) -> SetMagnitude:
-        lengths = {i: self.length(i, curve) for i, curve in self.targets().items()}
+        lengths = {i: self.desk.lengths.of(i, curve) for i, curve in self.targets().items()}
         return SetMagnitude({i: ratio * length for i, length in lengths.items() if length})
 
     def _preview(self, ratio: float) -> None:

@@ -44,6 +44,7 @@ class ShapeForm(QWidget):
         self._family = Choice("family", family_titles(), self._change_family)
         self._basis = BasisForm(desk)
         self._s = NumberField("s", self._set_s, step=0.1)
+        self._ratio = NumberField("s / L", self._set_ratio, step=0.01)
         self._color = ColorButton(self._set_color)
         self._width = NumberField("width", self._set_width, step=0.5)
         self._above, self._below = self._rows(), self._rows()
@@ -59,6 +60,7 @@ class ShapeForm(QWidget):
         self._above.addRow(row_label("Name"), self._name)
         self._above.addRow(row_label("Family"), self._family)
         self._below.addRow(row_label("s"), self._s)
+        self._below.addRow(row_label("s / L"), self._ratio)
         self._below.addRow(row_label("Color"), self._color)
         self._below.addRow(row_label("Width"), self._width)
         column = QVBoxLayout(self)
@@ -80,10 +82,13 @@ class ShapeForm(QWidget):
         self._basis.show_curves(self._curves)
         has_curves = bool(self._curves)
         self._above.setRowVisible(self._family, has_curves)
-        self._below.setRowVisible(self._s, has_curves)
+        for field in (self._s, self._ratio):
+            self._below.setRowVisible(field, has_curves)
         if has_curves:
             self._family.show_value(common(family_of(c) for c in self._curves.values()))
             self._s.show_value(common(curve.s for curve in self._curves.values()))
+            ratios = (self._desk.lengths.ratio(i, curve) for i, curve in self._curves.items())
+            self._ratio.show_value(common(round(ratio, 9) for ratio in ratios))
         styles = [shape.style for shape in shapes.values()]
         self._color.show_color([s.color for s in styles], self._desk.theme.color("plus"))
         self._width.show_value(common(s.width or USUAL_WIDTH for s in styles))
@@ -96,6 +101,10 @@ class ShapeForm(QWidget):
 
     def _set_s(self, value: float) -> str:
         return self._desk.commit(SetMagnitude(dict.fromkeys(self._curves, value)))
+
+    def _set_ratio(self, value: float) -> str:
+        lengths = {i: self._desk.lengths.of(i, curve) for i, curve in self._curves.items()}
+        return self._desk.commit(SetMagnitude({i: value * length for i, length in lengths.items()}))
 
     def _set_color(self, color: str | None) -> str:
         return self._restyle("color", lambda style: replace(style, color=color))

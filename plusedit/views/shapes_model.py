@@ -25,6 +25,8 @@ class ShapesModel(QAbstractListModel):
         super().__init__()
         self._desk = desk
         self._ids: list[ShapeId] = []
+        self._looks: list[tuple[object, ...]] = []
+        """what the rows show, so that a drag repaints nothing here"""
 
     @property
     def ids(self) -> list[ShapeId]:
@@ -39,13 +41,17 @@ class ShapesModel(QAbstractListModel):
 
     def refresh(self) -> bool:
         """Show the shapes as they are now; whether they are others, or in another order."""
-        ids = list(self._desk.session.design)[::-1]
+        shapes = self._desk.session.design.shapes
+        ids = list(shapes)[::-1]
+        looks = [look_of(shapes[shape_id]) for shape_id in ids]
         if ids == self._ids:
-            if ids:
-                self.dataChanged.emit(self.index(0), self.index(len(ids) - 1))
+            old, self._looks = self._looks, looks
+            for row, (before, now) in enumerate(zip(old, looks, strict=True)):
+                if before != now:
+                    self.dataChanged.emit(self.index(row), self.index(row))
             return False
         self.beginResetModel()
-        self._ids = ids
+        self._ids, self._looks = ids, looks
         self.endResetModel()
         return True
 
@@ -113,6 +119,11 @@ class ShapesModel(QAbstractListModel):
         above = [i for i in self._ids[:before] if i not in moved]
         below = [i for i in self._ids[before:] if i not in moved]
         self._desk.commit(Reorder(tuple([*above, *moved, *below][::-1])))
+
+
+def look_of(shape: Shape) -> tuple[object, ...]:
+    """All that a row shows of a shape."""
+    return shape.name, shape.visible, shape.locked, shape.style, shape.curve is None
 
 
 def described(shape: Shape) -> str:

@@ -74,8 +74,8 @@ def test_letters_in_order_find_a_title():
 
 def test_the_palette_does_what_is_chosen(qtbot, window, table):
     window.files.show(a_design(), None)
-    window.show_palette()
-    palette = window.palette_window
+    window.side.show_palette()
+    palette = window.side.palette
     qtbot.keyClicks(palette.typed, "select all")
     assert palette.chosen().text() == "Select all"
     qtbot.keyClick(palette.typed, Qt.Key.Key_Return)
@@ -165,6 +165,6 @@ def test_help_shows_the_keys_as_they_are_now(window, table):
     assert "Ctrl+Shift+P" in page_of(table)
     table.set_shortcuts({"palette": ["F9"]})
     assert "Ctrl+Shift+P" not in page_of(table)
-    window.show_help()
-    assert "plus curve" in window.help_window.page.toPlainText()
-    window.help_window.close()
+    window.side.show_help()
+    assert "plus curve" in window.side.help.page.toPlainText()
+    window.side.help.close()

@@ -71,6 +71,7 @@ def test_an_edit_is_kept_once_nothing_happens_any_more(session, keeper):
     assert keeper._idle.isActive() and keeper._idle.interval() == 3_000
     assert keeper._at_most.isActive() and keeper._at_most.interval() == 30_000
     keeper._idle.timeout.emit()
+    keeper.finish()
     assert keeper.file.exists()
     assert not keeper._at_most.isActive()
 
@@ -81,6 +82,7 @@ def test_editing_without_a_pause_does_not_put_it_off_for_ever(session, keeper):
     session.commit(SetMagnitude({WING: 5.5}))
     assert keeper._at_most.remainingTime() <= began
     keeper._at_most.timeout.emit()
+    keeper.finish()
     assert keeper.file.exists()
 
 

@@ -7,6 +7,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QCheckBox, QLineEdit
 
 from plusedit.document.selection import LineId, Selection
+from plusedit.geometry.magnitude import polygon_length
 from plusedit.views.fields import MIXED, Choice
 from tests.designs import BOW, WING, a_design
 from tests.gui.conftest import select_lines
@@ -140,6 +141,18 @@ def test_order_knots_and_family_are_edited(qtbot, window, inspector):
     type_into(qtbot, named(inspector, "sigma"), "0.25")
     assert window.session.design.curve(WING).basis.sigma == 0.25
     assert undo_steps(window) == 4
+
+
+def test_s_over_l_is_that_of_the_slider(qtbot, window, inspector):
+    window.session.select(Selection.of_shapes([WING, BOW]))
+    inspector.refresh()
+    type_into(qtbot, named(inspector, "s / L"), "1/2")
+    for shape_id in (WING, BOW):
+        curve = window.session.design.curve(shape_id)
+        assert curve.s == pytest.approx(polygon_length(curve) / 2.0)
+    window.magnitude.refresh()
+    assert window.magnitude.slider.ratio == pytest.approx(0.5)
+    assert undo_steps(window) == 1
 
 
 def test_a_name_that_is_empty_is_refused(qtbot, window, inspector):

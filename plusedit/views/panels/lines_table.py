@@ -17,7 +17,7 @@ from plusedit.commands.base import Command
 from plusedit.commands.directions import ResetDirections, SetAngle, SetDirection, SetLength
 from plusedit.commands.lines import SetCoordinate, SetWeight
 from plusedit.document.selection import LineId, Selection
-from plusedit.document.shape import ShapeId
+from plusedit.document.shape import Shape, ShapeId
 from plusedit.geometry.curve import PlusCurve
 from plusedit.views.arithmetic import calculated, written
 from plusedit.views.desk import Desk
@@ -50,6 +50,7 @@ class LinesModel(QAbstractTableModel):
         self._desk = desk
         self._rows: list[LineId] = []
         self._columns: list[str] = []
+        self._shown: dict[ShapeId, Shape] = {}
 
     @property
     def rows(self) -> list[LineId]:
@@ -65,15 +66,21 @@ class LinesModel(QAbstractTableModel):
         rows = [LineId(i, row) for i, curve in curves.items() for row in range(len(curve.lines))]
         is_space = any(curve.dimension == 3 for curve in curves.values())
         columns = [name for name in HEADS if name != "2" or is_space]
+        before, self._shown = self._shown, {i: design[i] for i in curves}
         if rows == self._rows and columns == self._columns:
-            if rows:
-                last = self.index(len(rows) - 1, len(columns) - 1)
-                self.dataChanged.emit(self.index(0, 0), last)
+            self._tell_of({i for i, shape in self._shown.items() if before.get(i) is not shape})
             return False
         self.beginResetModel()
         self._rows, self._columns = rows, columns
         self.endResetModel()
         return True
+
+    def _tell_of(self, shape_ids: set[ShapeId]) -> None:
+        """The rows of these shapes show other numbers."""
+        rows = [row for row, line in enumerate(self._rows) if line.shape in shape_ids]
+        if rows:
+            last = self.index(rows[-1], len(self._columns) - 1)
+            self.dataChanged.emit(self.index(rows[0], 0), last)
 
     def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
         return 0 if parent.isValid() else len(self._rows)
