@@ -48,10 +48,12 @@ def scene_items(
     selection: Selection = NOTHING_SELECTED,
     *,
     only: Collection[ShapeId] | None = None,
+    glow: bool = True,
 ) -> Layers:
     """How `design` looks; with `only`, how those shapes of it do.
 
-    What is too large to be calculated with is left out.
+    `glow` is the halo of selected curves, which takes longer than all else of a curve. What is
+    too large to be calculated with is left out.
     """
     shown = [
         (shape_id, shape, curve)
@@ -75,7 +77,7 @@ def scene_items(
     curves = (
         item
         for shape_id, shape, curve in shown
-        for item in _curve(shape, curve, camera, shape_id in selection.shapes)
+        for item in _curve(shape, curve, camera, shape_id in selection.shapes, glow)
     )
     handles = _handles(design, camera, selection, with_handles)
     with np.errstate(all="ignore"):
@@ -110,10 +112,12 @@ def _plural(kind: str) -> str:
     return f"{kind}es" if kind.endswith("sh") else f"{kind}s"
 
 
-def _curve(shape: Shape, curve: PlusCurve, camera: PlaneCamera, selected: bool) -> Iterator[Item]:
+def _curve(
+    shape: Shape, curve: PlusCurve, camera: PlaneCamera, selected: bool, glow: bool
+) -> Iterator[Item]:
     points = drawn(curve, camera).points
     width = WIDTH if shape.style.width is None else shape.style.width
-    if selected:
+    if selected and glow:
         yield Polyline(points, "selected@28", width + HALO)
     color = shape.style.color or "plus"
     yield Polyline(points, color + DIM if shape.locked else color, width)

@@ -324,12 +324,13 @@ def test_what_is_dragged_is_seen_as_if_all_were_drawn_anew(canvas, session):
 
 def test_a_drag_draws_no_other_shape_again(canvas, session, monkeypatch):
     start = pixel(canvas, (2.0, 3.0))
+    canvas.grab()
     drag(canvas, start, start + QPoint(20, 20), release=False)
     canvas.grab()
     drawn = []
     from plusedit.views import strata
 
-    def noting(design, camera, options, selection, *, only):
+    def noting(design, camera, options, selection, *, only, glow):
         drawn.extend(only)
         return ()
 
