@@ -21,8 +21,6 @@ from plusedit.geometry.arrays import Floats, frozen, unit
 
 Flags = NDArray[np.bool_]
 
-TINY = 1e-290  # lengths below have too few digits to divide by
-
 
 def automatic_directions(points: Floats, *, closed: bool) -> Floats:
     """(n, dim) unit directions from neighbour to neighbour; zero where the two coincide."""
@@ -31,7 +29,7 @@ def automatic_directions(points: Floats, *, closed: bool) -> Floats:
     lengths = np.hypot(across[0], across[1])
     if len(across) == 3:
         lengths = np.hypot(lengths, across[2])
-    if np.minimum.reduce(lengths) < TINY:
+    if np.count_nonzero(lengths) < len(lengths):
         return unit(across.T)
     directions: Floats = (across / lengths).T
     return directions

@@ -4,7 +4,7 @@
 
 The peers draw the classical cubic B-spline of the same control points on the same knots; we draw
 the plus curve, automatic directions included. Needs scipy, splipy and geomdl; a peer that is not
-installed is left out. All take turns; the numbers are medians.
+installed is left out. All take turns; the numbers are medians of processor time.
 """
 
 import importlib
@@ -21,10 +21,10 @@ from plusedit.geometry.arrays import Floats
 
 PEERS = ("scipy", "splipy", "geomdl")
 EDITED = ((4, 256), (10, 256), (40, 256), (200, 256), (1000, 256))
-ANEW = ((10, 1000), (10, 100_000), (1000, 100_000))
+MANY = ((10, 1000), (10, 100_000), (1000, 100_000))
 ROUNDS = 60
 PATIENCE = 1.0  # seconds for one column of a row; slow ones take part in fewer rounds
-BATCH = 1e-3  # seconds that one timing lasts at least
+BATCH = 2e-3  # seconds that one timing lasts at least
 
 Work = Callable[[], object]
 
@@ -91,12 +91,12 @@ def by_splipy(case: Case) -> Work:
 
 def by_geomdl(case: Case) -> Work:
     library = importlib.import_module("geomdl.BSpline")
-    points, knots = case.points.tolist(), case.basis.knot_vector.tolist()
+    knots = case.basis.knot_vector.tolist()
 
     def work() -> object:
         curve = library.Curve()
         curve.degree = 3
-        curve.ctrlpts = points
+        curve.ctrlpts = case.points.tolist()
         curve.knotvector = knots
         curve.sample_size = len(case.grid)
         return curve.evalpts
@@ -109,10 +109,10 @@ BY_PEER = {"scipy": by_scipy, "splipy": by_splipy, "geomdl": by_geomdl}
 
 def medians(works: dict[str, Work]) -> dict[str, float]:
     """Seconds one call takes; the works take turns, the slow ones not in every round."""
-    batches, once = {}, {}
+    batches: dict[str, int] = {}
+    once: dict[str, float] = {}
     for name, work in works.items():
-        once[name] = seconds(work, 1)
-        once[name] = min(seconds(work, 1), once[name])
+        once[name] = min(seconds(work, 1) for _ in range(3)) or BATCH
         batches[name] = max(1, int(BATCH / once[name]))
     runs: dict[str, list[float]] = {name: [] for name in works}
     for turn in range(ROUNDS):
@@ -124,11 +124,11 @@ def medians(works: dict[str, Work]) -> dict[str, float]:
 
 
 def seconds(work: Work, batch: int) -> float:
-    """How long one call takes, of so many in a row."""
-    start = time.perf_counter()
+    """How long one call takes, of so many in a row; what else the machine does is not counted."""
+    start = time.process_time()
     for _ in range(batch):
         work()
-    return (time.perf_counter() - start) / batch
+    return (time.process_time() - start) / batch
 
 
 def installed(name: str) -> str | None:
@@ -143,7 +143,7 @@ def row(title: str, case: Case, ours: Work, peers: list[str]) -> None:
     works = {"ours": ours} | {peer: BY_PEER[peer](case) for peer in peers}
     found = medians(works)
     ratios = "".join(f"{found[peer] / found['ours']:>10.3g}" for peer in peers)
-    print(f"{title:<34}{1e6 * found['ours']:>10.1f}{ratios}", flush=True)
+    print(f"{title:<42}{1e6 * found['ours']:>10.1f}{ratios}", flush=True)
 
 
 def main() -> None:
@@ -151,15 +151,16 @@ def main() -> None:
     versions = {name: installed(name) for name in ("numpy", *PEERS)}
     print(", ".join([f"Python {platform.python_version()}", *map(" ".join, there(versions))]))
     peers = [peer for peer in PEERS if versions[peer]]
-    print(f"{'':<34}{'ours (us)':>10}" + "".join(f"{peer:>10}" for peer in peers) + "   (ratios)")
+    print(f"{'':<42}{'ours (us)':>10}" + "".join(f"{peer:>10}" for peer in peers) + "   (ratios)")
     for lines, samples in EDITED:
         case = Case.of(lines, samples)
         for title, make in (("moved points", edited), ("s", slid), ("new lines", new_lines)):
             row(f"{title}, {lines} lines, {samples} samples", case, make(case), peers)
-    for lines, samples in ANEW:
+    for lines, samples in MANY:
         case = Case.of(lines, samples)
         # Python loops over so many samples would take minutes.
         fast = [peer for peer in peers if peer != "geomdl" or samples < 10_000]
+        row(f"moved points, {lines} lines, {samples} samples", case, edited(case), fast)
         row(f"new u, {lines} lines, {samples} samples", case, anew(case), fast)
 
 
