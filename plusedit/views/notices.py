@@ -14,11 +14,17 @@ CORNER = 4.0  # pixels, the radius
 
 
 def paint_empty(painter: QPainter, view: QRectF, theme: Theme) -> None:
-    """What to do, in the middle of the view."""
+    """What to do, in the middle of the view, on a ground of its own that covers the axes."""
     painter.setFont(font_of(14.0))
+    flags = int(Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap)
+    box = painter.boundingRect(view.adjusted(40.0, 24.0, -40.0, -24.0), flags, EMPTY)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(color_of(theme.color("canvas")))
+    painter.drawRoundedRect(box.adjusted(-16.0, -10.0, 16.0, 10.0), 2.0 * CORNER, 2.0 * CORNER)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
     painter.setPen(color_of(theme.color("quiet")))
-    flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
-    painter.drawText(view.adjusted(24.0, 24.0, -24.0, -24.0), int(flags), EMPTY)
+    painter.drawText(box, flags, EMPTY)
 
 
 def paint_note(painter: QPainter, view: QRectF, text: str, theme: Theme) -> None:
