@@ -15,7 +15,7 @@ LARGE = 1000  # control lines: 33 kB of arrays
 def a_large_design():
     points = np.arange(2.0 * LARGE).reshape(LARGE, 2)
     basis = a_curve().basis.of_size(LARGE)
-    return Design({WING: Shape(PlusCurve(basis, ControlLines.of(points)), "wing")})
+    return Design({WING: Shape(PlusCurve(basis, ControlLines.of(points, list(points))), "wing")})
 
 
 def pushed(history, count, make=Design):
