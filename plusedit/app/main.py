@@ -13,7 +13,6 @@ from plusedit import __version__
 from plusedit.app import errors
 from plusedit.app.settings import Settings
 from plusedit.resources import icon_file
-from plusedit.views.look import apply_look
 
 if TYPE_CHECKING:
     from plusedit.app.window import MainWindow
@@ -27,10 +26,7 @@ def run(paths: list[str]) -> int:
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     from plusedit.app.window import MainWindow
 
-    settings = Settings()
-    # Before anything is made: what is made in one look and then gets another is made twice.
-    apply_look(application, settings.look)
-    window = MainWindow(settings)
+    window = MainWindow(Settings())
     window.show()
     QTimer.singleShot(0, lambda: begin(window, [Path(path) for path in paths]))
     return application.exec()

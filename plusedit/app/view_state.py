@@ -10,6 +10,7 @@ from plusedit.document.shape import NOTHING
 from plusedit.events import Event
 from plusedit.scene.camera import PlaneCamera, Projection
 from plusedit.scene.options import Handles, ViewOptions, camera_of, options_of, view_tree
+from plusedit.scene.theme import Theme
 from plusedit.views.canvas import PlaneCanvas
 from plusedit.views.desk import Desk
 from plusedit.views.look import apply_look, theme_for
@@ -61,13 +62,10 @@ class ViewState:
 
     def set_look(self, look: str) -> None:
         """Give the whole program a look: "light", "dark" or "system"."""
-        application = QApplication.instance()
-        if isinstance(application, QApplication):
-            self._settings.look = look
-            apply_look(application, look)
-            self._desk.set_theme(theme_for(look))
-            self._canvas.set_theme(self._desk.theme)
-            self.changed.emit()
+        self._settings.look = look
+        self._desk.set_theme(look_of_program(look))
+        self._canvas.set_theme(self._desk.theme)
+        self.changed.emit()
 
     def kept_with(self, design: Design) -> Design:
         """The design with the view as it is now."""
@@ -92,3 +90,11 @@ class ViewState:
         # The canvas offers the grid that is seen; a step of one's own comes before it.
         if (step := self._settings.grid_step) is not None:
             self._desk.gestures.grid_step = step
+
+
+def look_of_program(look: str) -> Theme:
+    """Give all of the program that look; the theme that it came to."""
+    application = QApplication.instance()
+    if isinstance(application, QApplication):
+        return apply_look(application, look)
+    return theme_for(look)

@@ -38,7 +38,7 @@ from plusedit.app.side_windows import SideWindows
 from plusedit.app.start_page import StartPage
 from plusedit.app.status import Status
 from plusedit.app.toolbar import make_toolbar
-from plusedit.app.view_state import ViewState
+from plusedit.app.view_state import ViewState, look_of_program
 from plusedit.document.session import Session
 from plusedit.interaction.gesture import Gestures
 from plusedit.scene.camera import PlaneCamera
@@ -57,6 +57,8 @@ class MainWindow(QMainWindow):
     def __init__(self, settings: Settings, autosave_folder: Path | None = None) -> None:
         super().__init__()
         self.settings = settings
+        # Before anything is made: what is made in one look and then gets another is made twice.
+        look_of_program(settings.look)
         self.session = Session()
         self.gestures = Gestures(self.session, PlaneCamera((800.0, 600.0)))
         self.gestures.new_curves = settings.new_curves

@@ -23,7 +23,9 @@ CHIP = 14  # logical pixels
 def draw_chip(painter: QPainter, place: QRectF, color: QColor, *, hollow: bool = False) -> None:
     """A round chip of a color; hollow where the theme decides."""
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    painter.setPen(QPen(color, 1.5))
+    # A rim, so that black is seen on a dark panel and white on a light one.
+    rim = color if hollow else QColor(128, 136, 150)
+    painter.setPen(QPen(rim, 1.5 if hollow else 1.0))
     painter.setBrush(Qt.BrushStyle.NoBrush if hollow else color)
     painter.drawEllipse(place.adjusted(1, 1, -1, -1))
 

@@ -38,6 +38,7 @@ HEADS = {
     "auto": ("Auto", "Whether the direction follows the neighboring points"),
     "weight": ("Weight", "Share of the control line in the curve"),
 }
+WIDEST = 104  # logical pixels of the column of names
 LISTED = 300  # control lines; a design with more lists those of the selected curves only
 EMPTY = "No control lines yet.\n\nEvery curve's control lines are listed here with their numbers."
 
@@ -188,6 +189,8 @@ class LinesTable(LiveWidget):
         self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.table.setFont(tabular(self.table.font()))
         self.table.setShowGrid(False)
+        # Numbers stand at the end of names: "wing 12" must not become "wing…".
+        self.table.setTextElideMode(Qt.TextElideMode.ElideMiddle)
         self.table.verticalHeader().hide()
         self.table.verticalHeader().setDefaultSectionSize(24)
         header = self.table.horizontalHeader()
@@ -209,6 +212,7 @@ class LinesTable(LiveWidget):
         self._is_showing = True
         if self.model.refresh():
             self.table.resizeColumnToContents(0)
+            self.table.setColumnWidth(0, min(self.table.columnWidth(0), WIDEST))
         self._stack.setCurrentIndex(0 if self.model.rows else 1)
         self._show_selection()
         self._is_showing = False
