@@ -31,7 +31,7 @@ from plusedit.scene.scene import left_out
 from plusedit.scene.theme import LIGHT, Theme
 from plusedit.views.ground import RULER, paint_marks
 from plusedit.views.notices import paint_empty, paint_note, paint_readout
-from plusedit.views.painter import ItemPainter
+from plusedit.views.painter import ItemPainter, painting
 from plusedit.views.plane_view import PlaneView
 from plusedit.views.pointer import held_after, key_of, pointer_of
 from plusedit.views.strata import Look, Strata, beside_rulers
@@ -137,14 +137,13 @@ class PlaneCanvas(PlaneView):
             self.devicePixelRatioF(),
             draft=self._is_moving,
         )
-        painter = QPainter(self)
         previewed = self._session.is_previewing
-        self._strata.paint(painter, self._session.design, look, previewed=previewed)
+        with painting(self) as painter:
+            self._strata.paint(painter, self._session.design, look, previewed=previewed)
+            ItemPainter(painter, self.camera, self._theme).paint(self._feedback.items)
+            self._paint_words(painter, beside_rulers(look))
         if self._strata.is_apart and not previewed and not self._rest.isActive():
             self._rest.start()
-        ItemPainter(painter, self.camera, self._theme).paint(self._feedback.items)
-        self._paint_words(painter, beside_rulers(look))
-        painter.end()
 
     def _paint_words(self, painter: QPainter, view: QRectF) -> None:
         design = self._session.design

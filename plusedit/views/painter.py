@@ -4,13 +4,14 @@ The painter's own transformation is only that of the device's pixels; the camera
 everything into logical pixels before.
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cached_property, lru_cache, singledispatch
 
 import numpy as np
 from PySide6.QtCore import QPointF, Qt
-from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPaintDevice, QPainter, QPen
 
 from plusedit.geometry.arrays import Floats
 from plusedit.scene.camera import Camera
@@ -29,6 +30,20 @@ BEYOND = 2000.0  # pixels around the view within which lines are drawn as they a
 THIN = 1.0  # pixels; Qt has a quick way of its own for lines up to that
 SHARPEST = 4.0  # widths that the tip of a corner may stand out by
 DASHES = {"dash": [6.0, 4.0], "dot": [2.0, 3.0]}  # pixels
+
+
+@contextmanager
+def painting(device: QPaintDevice) -> Iterator[QPainter]:
+    """A painter on a device for as long as the block lasts.
+
+    It ends whatever is raised in there: a widget whose painter outlives its paint event takes the
+    program down with it.
+    """
+    painter = QPainter(device)
+    try:
+        yield painter
+    finally:
+        painter.end()
 
 
 @dataclass(frozen=True, eq=False)

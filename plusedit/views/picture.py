@@ -4,12 +4,12 @@ import os
 import sys
 
 from PySide6.QtCore import QBuffer, QIODevice
-from PySide6.QtGui import QGuiApplication, QImage, QPainter
+from PySide6.QtGui import QGuiApplication, QImage
 
 from plusedit.document.design import Design
 from plusedit.scene.composition import SIZE, composed
 from plusedit.scene.theme import LIGHT, Theme
-from plusedit.views.painter import ItemPainter, color_of
+from plusedit.views.painter import ItemPainter, color_of, painting
 
 
 def image_of(
@@ -33,9 +33,8 @@ def image_of(
     image.setDevicePixelRatio(ratio)
     image.fill(color_of(theme.color("canvas@0" if transparent else "canvas")))
     picture = composed(design, (float(size[0]), float(size[1])))
-    painter = QPainter(image)
-    ItemPainter(painter, picture.camera, theme).paint(picture)
-    painter.end()
+    with painting(image) as painter:
+        ItemPainter(painter, picture.camera, theme).paint(picture)
     return image
 
 

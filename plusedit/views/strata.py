@@ -19,7 +19,7 @@ from plusedit.scene.options import ViewOptions
 from plusedit.scene.scene import scene_items
 from plusedit.scene.theme import Theme
 from plusedit.views.ground import RULER, paint_grid, paint_rulers
-from plusedit.views.painter import ItemPainter, color_of
+from plusedit.views.painter import ItemPainter, color_of, painting
 
 SLOW = 0.012  # seconds, for a frame
 FEW = 4  # shapes that may be drawn anew in every frame after an edit
@@ -96,14 +96,13 @@ class Strata:
 
     def _draw_still(self, design: Design, look: Look) -> None:
         self._pixmap = _new_pixmap(look)
-        painter = QPainter(self._pixmap)
-        if look.options.grid:
-            paint_grid(painter, look.camera, look.theme)
         still = [shape_id for shape_id in design if shape_id not in self._moving]
-        _paint_shapes(painter, design, look, still)
-        if look.options.rulers:
-            paint_rulers(painter, look.camera, look.theme)
-        painter.end()
+        with painting(self._pixmap) as painter:
+            if look.options.grid:
+                paint_grid(painter, look.camera, look.theme)
+            _paint_shapes(painter, design, look, still)
+            if look.options.rulers:
+                paint_rulers(painter, look.camera, look.theme)
 
 
 def beside_rulers(look: Look) -> QRectF:
