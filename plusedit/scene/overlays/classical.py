@@ -10,7 +10,7 @@ from plusedit.scene.items import Item, Polyline
 from plusedit.scene.overlays import overlay
 
 
-@overlay("classical", title="Classical Curve", order=40, shortcut="Shift+C")
+@overlay("classical", title="Classical curve", order=40, shortcut="Shift+C")
 def draw(shape: Shape, curve: PlusCurve, camera: PlaneCamera) -> Iterator[Item]:
     """A thin line; nothing where s = 0, for there it is the curve itself."""
     if curve.s != 0.0:

@@ -14,7 +14,7 @@ from plusedit.scene.items import Item, Markers, Polygon, Polyline
 from plusedit.scene.overlays import overlay
 
 
-@overlay("elevated_hull", title="Hull of the Elevated Points", order=20, shortcut="Shift+E")
+@overlay("elevated_hull", title="Hull of the elevated points", order=20, shortcut="Shift+E")
 def draw(shape: Shape, curve: PlusCurve, camera: PlaneCamera) -> Iterator[Item]:
     """An outlined area with its polygon; nothing for families that have no standard form."""
     try:

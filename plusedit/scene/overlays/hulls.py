@@ -19,7 +19,7 @@ from plusedit.scene.items import Item, Polygon, Polyline
 from plusedit.scene.overlays import overlay
 
 
-@overlay("hulls", title="Convex Hulls", order=10, shortcut="Shift+H")
+@overlay("hulls", title="Convex hulls", order=10, shortcut="Shift+H")
 def draw(shape: Shape, curve: PlusCurve, camera: PlaneCamera) -> Iterator[Item]:
     """The hull of the union, the two hulls on it, the two curves on top."""
     if curve.closed:

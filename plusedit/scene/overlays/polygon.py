@@ -11,7 +11,7 @@ from plusedit.scene.items import Item, Polyline
 from plusedit.scene.overlays import overlay
 
 
-@overlay("polygon", title="Control Polygon", order=30, shortcut="Shift+P")
+@overlay("polygon", title="Control polygon", order=30, shortcut="Shift+P")
 def draw(shape: Shape, curve: PlusCurve, camera: PlaneCamera) -> Iterator[Item]:
     """A hairline, closed where the curve is."""
     points = curve.lines.points
