@@ -25,7 +25,7 @@ from plusedit.geometry.bases.rag import RationalGaussian
 from plusedit.geometry.blend import blend_at
 from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.lines import ControlLines, automatic_directions
-from plusedit.geometry.matrices import dense
+from plusedit.geometry.matrices import Banded, dense
 
 MARGIN = 0.1  # of a gap: a new knot or node keeps this far from its neighbors
 NOTHING = 1e-9  # of the extent: less than that is not missing from a curve
@@ -40,7 +40,10 @@ def insert_line(curve: PlusCurve, u: float) -> tuple[PlusCurve, int]:
 
     Bezier+ and open B-spline+ curves, with and without weights, stay exactly as they are. Others
     change as little as they can; a closed B-spline+ curve may begin at another of its points.
+    Raises ValueError if u is not finite; outside [0, 1] it is clamped, or wrapped.
     """
+    if not np.isfinite(u):
+        raise ValueError(f"insert_line: expected a finite parameter, got {u}")
     basis, index = larger_basis(curve.basis, float(u))
     shares = exact_shares(curve.basis, basis)
     if shares is not None:
@@ -131,31 +134,30 @@ def _(basis: RationalGaussian, u: float) -> tuple[Basis, int]:
 
 
 @singledispatch
-def exact_shares(basis: Basis, larger: Basis) -> Floats | None:
+def exact_shares(basis: Basis, larger: Basis) -> Banded | None:
     """(n', n) the a_ji of the module; None where the larger basis lacks some of the curves."""
     return None
 
 
 @exact_shares.register
-def _(basis: Bernstein, larger: Basis) -> Floats | None:
+def _(basis: Bernstein, larger: Basis) -> Banded | None:
     if not isinstance(larger, Bernstein) or larger.size != basis.size + 1:
         return None
     n = basis.size
-    a = np.arange(n + 1) / n
-    return np.eye(n + 1, n) * (1.0 - a)[:, None] + np.eye(n + 1, n, -1) * a[:, None]
+    j = np.arange(n + 1)
+    columns = np.clip(np.stack([j - 1, j], axis=1), 0, n - 1)
+    return Banded(columns, np.stack([j / n, 1.0 - j / n], axis=1), n)
 
 
 @exact_shares.register
-def _(basis: BSpline, larger: Basis) -> Floats | None:
+def _(basis: BSpline, larger: Basis) -> Banded | None:
     if basis.closed or not isinstance(larger, BSpline) or larger.order != basis.order:
         return None
     k, old, new = basis.order, basis.knot_vector, larger.knot_vector
     arguments = np.lib.stride_tricks.sliding_window_view(new[1:-1], k - 1)
     span = np.searchsorted(old, new[: larger.size], side="right") - 1
-    shares = np.zeros((larger.size, basis.size))
     columns = span[:, None] + np.arange(1 - k, 1)
-    np.put_along_axis(shares, columns, weights_of_span(arguments.T, old, span), axis=1)
-    return shares
+    return Banded(columns, weights_of_span(arguments.T, old, span), basis.size)
 
 
 def _between(u: float, low: float, high: float) -> float:
@@ -169,20 +171,23 @@ def _inner_number(nodes: Floats, u: float) -> int:
     return int(np.abs(nodes[1:-1] - u).argmin()) + 1
 
 
-def _refined(curve: PlusCurve, basis: Basis, shares: Floats) -> PlusCurve:
+def _refined(curve: PlusCurve, basis: Basis, shares: Banded) -> PlusCurve:
     """The same curve in a larger basis."""
     old, directions = curve.lines, curve.directions
     weights = None
     if old.weights is not None:
         largest = old.weights.max()
-        weights = shares @ (old.weights / largest)
-        shares = shares * (old.weights / largest) / weights[:, None]
+        parts = shares.entries * (old.weights / largest)[shares.columns]
+        weights = parts.sum(axis=1)
+        shares = replace(shares, entries=parts / weights[:, None])
         weights *= largest
-    pulls = shares * (basis.nodes[:, None] - curve.basis.nodes)
+    distances = basis.nodes[:, None] - curve.basis.nodes[shares.columns]
+    pulls = replace(shares, entries=shares.entries * distances)
     points = shares @ old.points + pulls @ (curve.s * directions)
     turned = shares @ directions
     # Lines that are only renumbered stay to the last bit.
-    new, same = np.nonzero(shares == 1.0)
+    new, entry = np.nonzero(shares.entries == 1.0)
+    same = shares.columns[new, entry]
     points[new], turned[new] = old.points[same], directions[same]
     if weights is not None and old.weights is not None:
         weights[new] = old.weights[same]

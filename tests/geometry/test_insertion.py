@@ -131,6 +131,27 @@ def test_a_closed_curve_of_many_lines_is_done_about_the_new_one():
 
 
 @every_kind
+@pytest.mark.parametrize("u", [-0.4, 1.7])
+def test_a_place_outside_the_domain_is_brought_inside(kind, u):
+    curve = random_curve(kind)
+    inside = u % 1.0 if curve.closed else np.clip(u, 0.0, 1.0)
+    (there, index), (here, expected) = insert_line(curve, u), insert_line(curve, inside)
+    assert index == expected
+    assert_allclose(there.at(U), here.at(U), atol=1e-9)
+
+
+@every_kind
+def test_no_line_can_be_put_nowhere(kind):
+    with pytest.raises(ValueError, match="finite parameter, got nan"):
+        insert_line(random_curve(kind), np.nan)
+
+
+def test_a_line_can_be_put_into_thousands():
+    curve = random_curve("bspline", size=3000)
+    assert_allclose(insert_line(curve, 0.4)[0].at(U), curve.at(U), atol=1e-13)
+
+
+@every_kind
 def test_with_a_basis_of_the_same_size_the_lines_are_the_same_object(kind):
     curve = random_curve(kind)
     assert with_basis(curve, Bernstein(8)).lines is curve.lines
