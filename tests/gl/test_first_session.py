@@ -29,6 +29,9 @@ def make_window(qtbot, qapp, tmp_path):
         qtbot.addWidget(window, before_close_func=lambda w: w.session.mark_saved())
         window.show()
         qtbot.waitExposed(window)
+        # Without a window manager nobody else makes it the active one, and shortcuts need that.
+        window.activateWindow()
+        qtbot.waitUntil(window.isActiveWindow)
         return window
 
     yield make
