@@ -17,6 +17,7 @@ from PySide6.QtCore import QLockFile, QObject, QTimer
 
 from plusedit.app.errors import log
 from plusedit.app.settings import state_folder
+from plusedit.app.workers import start_worker
 from plusedit.document.design import Design
 from plusedit.document.session import Session
 from plusedit.io.formats import FormatError
@@ -65,9 +66,8 @@ class Autosave(QObject):
             return
         self.finish()
         self._kept = design
-        arguments = (self.file, design, self._path_of_design())
-        self._writing = Thread(target=_write_or_log, args=arguments, name="autosave")
-        self._writing.start()
+        path = self._path_of_design()
+        self._writing = start_worker(lambda: _write_or_log(self.file, design, path), "autosave")
 
     def finish(self) -> None:
         """Wait for what is being written."""

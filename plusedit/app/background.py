@@ -1,13 +1,13 @@
 """Long work off the window's thread: the window stays alive, shows progress, and can cancel."""
 
-import gc
 from collections.abc import Callable
-from concurrent.futures import Future
 from threading import Thread
-from typing import TypeVar
+from typing import Generic, TypeVar
 
 from PySide6.QtCore import QEventLoop, Qt, QTimer
 from PySide6.QtWidgets import QProgressDialog, QPushButton, QWidget
+
+from plusedit.app.workers import start_worker
 
 T = TypeVar("T")
 
@@ -28,50 +28,57 @@ def in_background(
     A dialog appears where it takes longer than a moment. Work that was given up runs to its end
     unheeded, so what can be cancelled must have no effect but its result.
     """
-    future: Future[T] = Future()
-    # The collector runs in whatever thread allocates, and would there free widgets that only the
-    # window's thread may free.
-    gc.disable()
+    job = _Job(work)
     # A daemon: work that was given up must not keep the program from ending.
-    Thread(target=_do, args=(work, future), name="work", daemon=True).start()
-    try:
-        return future.result(timeout=QUICK)
-    except TimeoutError:
-        if future.done():
-            return future.result()  # the work itself ran into a time limit
-    _wait(parent, text, future, can_cancel=can_cancel)
-    return future.result()
+    thread = start_worker(job.do, "work", daemon=True)
+    thread.join(QUICK)
+    if thread.is_alive():
+        _wait(parent, text, thread, can_cancel=can_cancel)
+    return job.outcome()
 
 
-def _do(work: Callable[[], T], future: "Future[T]") -> None:
-    try:
-        future.set_result(work())
-    except BaseException as error:
-        future.set_exception(error)
-    finally:
-        gc.enable()
+class _Job(Generic[T]):
+    """Work, and what came of it."""
+
+    def __init__(self, work: Callable[[], T]) -> None:
+        self._work = work
+        self._results: list[T] = []
+        self._error: BaseException | None = None
+
+    def outcome(self) -> T:
+        """What the work, which is done, returned or raised."""
+        if self._error is not None:
+            raise self._error
+        return self._results[0]
+
+    def do(self) -> None:
+        """Do the work; whatever it raises waits for `outcome`."""
+        try:
+            self._results.append(self._work())
+        except BaseException as error:
+            self._error = error
 
 
-def _wait(parent: QWidget, text: str, future: "Future[T]", *, can_cancel: bool) -> None:
+def _wait(parent: QWidget, text: str, work: Thread, *, can_cancel: bool) -> None:
     dialog = QProgressDialog(text, "Cancel", 0, 0, parent)
     dialog.setWindowTitle("PlusEdit")
     dialog.setWindowModality(Qt.WindowModality.WindowModal)
     dialog.setMinimumDuration(SHOWN_AFTER)
     loop = QEventLoop()
     timer = QTimer()
-    timer.timeout.connect(lambda: loop.quit() if future.done() else dialog.setValue(0))
+    timer.timeout.connect(lambda: dialog.setValue(0) if work.is_alive() else loop.quit())
     if can_cancel:
         dialog.canceled.connect(loop.quit)
     else:
         for button in dialog.findChildren(QPushButton):
             button.hide()
     timer.start(GLANCE)
-    while not future.done():
+    while work.is_alive():
         loop.exec()
         if can_cancel and dialog.wasCanceled():
             break
     timer.stop()
     dialog.close()
     dialog.deleteLater()
-    if not future.done():
+    if work.is_alive():
         raise CancelledError

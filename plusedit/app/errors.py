@@ -1,7 +1,6 @@
 """What happens when something goes wrong: a sentence for the person, the details in a log."""
 
 import logging
-import logging.handlers
 import sys
 import traceback
 from types import TracebackType
@@ -14,7 +13,7 @@ from plusedit.machine import log_file
 
 log = logging.getLogger("plusedit")
 
-LOG_SIZE, LOG_COUNT = 2**19, 2  # bytes of a log file, and how many older ones are kept
+LOG_SIZE = 2**19  # bytes; a log that has grown beyond becomes the old one, of which one is kept
 SENTENCE = (
     "Something went wrong inside PlusEdit. Your design is as it was before; it is kept safe "
     "every half minute, and you can go on working."
@@ -33,13 +32,10 @@ _showing = False
 def install() -> None:
     """Log to a file, and show a sentence for whatever nobody caught."""
     try:
-        handler = logging.handlers.RotatingFileHandler(
-            state_folder() / log_file().name,
-            maxBytes=LOG_SIZE,
-            backupCount=LOG_COUNT,
-            delay=True,
-            encoding="utf-8",
-        )
+        file = state_folder() / log_file().name
+        if file.exists() and file.stat().st_size > LOG_SIZE:
+            file.replace(file.with_suffix(".old.log"))
+        handler = logging.FileHandler(file, delay=True, encoding="utf-8")
     except OSError:
         return  # a read-only home: the program works without a log
     handler.setFormatter(logging.Formatter("%(asctime)s %(levelname)s %(message)s"))

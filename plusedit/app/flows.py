@@ -3,19 +3,22 @@
 import sys
 from collections.abc import Callable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QProcess
 from PySide6.QtWidgets import QWidget
 
-from plusedit.app import recovery
 from plusedit.app.autosave import Autosave, Left, left_behind
 from plusedit.app.clipboard import counted, fresh
-from plusedit.app.export_dialogs import Picture, PictureDialog, Reading, ReadingDialog
 from plusedit.app.files import Files
 from plusedit.commands.shapes import AddShapes
 from plusedit.io.formats import Loaded
 from plusedit.scene.theme import THEMES
 from plusedit.views.desk import Desk
+
+if TYPE_CHECKING:
+    from plusedit.app.export_dialogs import Picture, Reading
+    from plusedit.app.recovery import Choice
 
 USUAL_PICTURE = (1600, 1200)  # pixels
 
@@ -26,9 +29,7 @@ class Flows:
     def __init__(self, desk: Desk, files: Files, autosave: Autosave, parent: QWidget) -> None:
         self._desk, self._files, self._autosave = desk, files, autosave
         self._parent = parent
-        self.ask_version: Callable[[Left], recovery.Choice] = lambda left: recovery.ask(
-            left, desk.theme, parent
-        )
+        self.ask_version: Callable[[Left], Choice] = self._ask_version
         """which version of a recovered design to go on with"""
 
     def new(self) -> None:
@@ -38,6 +39,8 @@ class Flows:
 
     def import_svg(self, path: Path | None = None) -> None:
         """Add the paths of an SVG drawing to the design, in one step."""
+        from plusedit.app.export_dialogs import ReadingDialog
+
         self._desk.gestures.cancel()
         path = path or self._files.dialogs.import_path(Path.home())
         if path is None:
@@ -46,7 +49,7 @@ class Flows:
         if dialog.exec():
             self.add_drawing(path, dialog.read())
 
-    def add_drawing(self, path: Path, reading: Reading) -> None:
+    def add_drawing(self, path: Path, reading: "Reading") -> None:
         """Add the curves of an SVG file, read in that way."""
         loaded = self._files.read(path, lambda: read_drawing(path, reading))
         if loaded is None:
@@ -61,6 +64,8 @@ class Flows:
 
     def export_png(self) -> None:
         """Write a picture of the design."""
+        from plusedit.app.export_dialogs import PictureDialog
+
         dialog = PictureDialog(self._parent, USUAL_PICTURE, self._desk.theme.name)
         if dialog.exec():
             picture = dialog.read()
@@ -68,7 +73,7 @@ class Flows:
                 ".png", "Export picture", lambda path: self.write_picture(path, picture)
             )
 
-    def write_picture(self, path: Path, picture: Picture) -> None:
+    def write_picture(self, path: Path, picture: "Picture") -> None:
         """Draw the design into a file."""
         from plusedit.io.files import write_file
         from plusedit.views.picture import png_of
@@ -94,6 +99,11 @@ class Flows:
             self._desk.say("No design was left behind unsaved.")
         return opened
 
+    def _ask_version(self, left: Left) -> "Choice":
+        from plusedit.app.recovery import ask
+
+        return ask(left, self._desk.theme, self._parent)
+
     def _offer(self, left: Left) -> bool:
         choice = self.ask_version(left)
         if choice == "later" or not self._files.may_discard():
@@ -109,7 +119,7 @@ class Flows:
         return left.path is not None and left.path.exists() and self._files.open(left.path)
 
 
-def read_drawing(path: Path, reading: Reading) -> Loaded:
+def read_drawing(path: Path, reading: "Reading") -> Loaded:
     """The curves of an SVG file. FormatError or OSError as in `io.files`."""
     from plusedit.io.files import read_file
     from plusedit.io.svg_reading import read_svg

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QEvent, QSize, Qt, QTimer
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QPixmap, QResizeEvent, QShowEvent
@@ -16,11 +17,12 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from plusedit.app.figure import Figure
-from plusedit.app.thumbnails import picture_of_file
 from plusedit.resources import example_files
 from plusedit.scene.theme import Theme
 from plusedit.views.live import quiet, title
+
+if TYPE_CHECKING:
+    from plusedit.app.figure import Figure
 
 WIDEST = 960  # logical pixels of the page, wherever the window is wider
 PICTURE = QSize(208, 132)
@@ -60,6 +62,8 @@ class Card(QFrame):
 
     def show_picture(self, theme: Theme) -> None:
         """Draw the picture of the file."""
+        from plusedit.app.thumbnails import picture_of_file  # not before the first frame
+
         ratio = self.devicePixelRatioF()
         picture = picture_of_file(self.path, PICTURE, theme, ratio)
         self.picture.setPixmap(picture or QPixmap())
@@ -147,6 +151,8 @@ class StartPage(QScrollArea):
             self._one_by_one.stop()
             return
         if self.figure is None:
+            from plusedit.app.figure import Figure  # not before the first frame
+
             self.figure = Figure()
             self.figure.set_theme(self._theme)
             self._figure_place.addWidget(self.figure)

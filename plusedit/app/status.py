@@ -9,8 +9,6 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QStatusBar, QWid
 
 from plusedit.document.shape import ShapeId
 from plusedit.geometry.curve import PlusCurve
-from plusedit.geometry.frames import curvature, space_curvature
-from plusedit.geometry.nearest import nearest_parameter
 from plusedit.interaction.tool import Feedback
 from plusedit.scene.camera import AXES, Projection
 from plusedit.views.desk import Desk
@@ -152,6 +150,9 @@ class Status(QStatusBar):
 
 def bend_text(curve: PlusCurve, at: tuple[float, float], projection: Projection) -> str:
     """Parameter and curvature of the point of `curve` nearest to a point of the view."""
+    from plusedit.geometry.frames import curvature, space_curvature
+    from plusedit.geometry.nearest import nearest_parameter
+
     axes = AXES[projection]
     if max(axes) >= curve.dimension:
         return ""

@@ -281,3 +281,18 @@ def test_work_that_fails_raises_what_it_raised(window):
 
     with pytest.raises(OSError, match="broken"):
         in_background(window, "Working …", fail)
+
+
+def test_the_collector_rests_until_the_last_worker_has_ended():
+    import gc
+    from threading import Event
+
+    from plusedit.app.workers import start_worker
+
+    go = Event()
+    first, second = start_worker(go.wait, "first"), start_worker(lambda: None, "second")
+    second.join()
+    assert not gc.isenabled()
+    go.set()
+    first.join()
+    assert gc.isenabled()
