@@ -5,6 +5,7 @@ import numpy as np
 from plusedit.commands.base import Command, Together
 from plusedit.commands.shapes import DeleteLines, DeleteShapes, Duplicate
 from plusedit.document.design import EditError
+from plusedit.document.joints import whole_path
 from plusedit.document.selection import NOTHING_SELECTED, LineId, Selection
 from plusedit.document.shape import ShapeId
 from plusedit.interaction.actions import EditAction
@@ -70,6 +71,14 @@ def select_none(stage: Stage) -> Outcome:
     return NOTHING_SELECTED
 
 
+def select_paths(stage: Stage) -> Outcome:
+    """All segments of the paths of which some are selected."""
+    chosen = shapes_of(stage)
+    return Selection.of_shapes(
+        i for shape_id in chosen for i in whole_path(stage.design, shape_id) if _is_free(i, stage)
+    )
+
+
 def invert(stage: Stage) -> Outcome:
     """The lines that are not selected; a shape selected as a whole counts with all its lines."""
     targets = stage.selection.targets(stage.design)
@@ -100,6 +109,7 @@ ACTIONS = (
     EditAction("delete", "Delete", ("Delete", "Backspace"), "Edit", delete),
     EditAction("duplicate", "Duplicate", ("Ctrl+D",), "Edit", duplicate),
     EditAction("select_all", "Select all", ("Ctrl+A",), "Select", select_all),
+    EditAction("select_paths", "Select whole path", ("L",), "Select", select_paths),
     EditAction("select_none", "Select nothing", ("Ctrl+Shift+A",), "Select", select_none),
     EditAction("invert", "Invert selection", ("Ctrl+I",), "Select", invert),
     EditAction(

@@ -6,6 +6,7 @@ import numpy as np
 
 from plusedit.commands.base import Targets
 from plusedit.commands.directions import ResetDirections
+from plusedit.document.joints import joined
 from plusedit.document.selection import NOTHING_SELECTED, LineId, Selection
 from plusedit.document.shape import ShapeId
 from plusedit.geometry.arrays import Floats
@@ -57,9 +58,7 @@ class Select:
         selection = stage.selection
         if hit.line not in selection.lines:
             # A line of a shape that is selected as a whole stands for itself once it is grabbed.
-            selection = Selection.of_lines([hit.line])
-            if Held.SHIFT in start.held:
-                selection = stage.selection.toggled(hit.line)
+            selection = _taken(hit, stage, adding=Held.SHIFT in start.held)
         targets = {i: rows for i, rows in selection.by_shape().items() if stage.design[i].editable}
         if hit.kind == "grip":
             return turn_drag(start, stage, targets, hit.line, hit.side, selection)
@@ -73,7 +72,7 @@ class Select:
             return _below(at, stage)
         hit = under(at.at, stage)
         if hit is not None:
-            return _taken(hit, stage.selection, adding=Held.SHIFT in at.held)
+            return _taken(hit, stage, adding=Held.SHIFT in at.held)
         if Held.SHIFT in at.held or under(at.at, stage, EMPTY) is not None:
             return None
         return NOTHING_SELECTED
@@ -150,18 +149,29 @@ def _curve_drag(hit: Hit, start: Pointer, stage: Stage) -> Drag:
     return move_drag(start, stage, targets, LineId(hit.shape, nearest), selection)
 
 
-def _taken(hit: Hit, selection: Selection, *, adding: bool) -> Selection:
-    """The selection after a click on something."""
+def _taken(hit: Hit, stage: Stage, *, adding: bool) -> Selection:
+    """The selection after a click on something; a line comes with those it is joined to."""
+    selection = stage.selection
     if hit.line is None:
         return selection.toggled_shape(hit.shape) if adding else Selection.of_shapes([hit.shape])
-    return selection.toggled(hit.line) if adding else Selection.of_lines([hit.line])
+    lines = joined(stage.design, hit.line)
+    if not adding:
+        return Selection.of_lines(lines, hit.line)
+    if hit.line in selection.lines:
+        return Selection(selection.lines - lines, selection.shapes)
+    return selection | Selection.of_lines(lines, hit.line)
+
+
+def _alone(hit: Hit) -> Selection:
+    """What was hit and nothing that it is joined to."""
+    return Selection.of_shapes([hit.shape]) if hit.line is None else Selection.of_lines([hit.line])
 
 
 def _below(at: Pointer, stage: Stage) -> Outcome:
     """The next of all that lie under the pointer, after the one that is selected."""
     found: list[Selection] = []
     for hit in all_under(at.at, stage):
-        selection = _taken(hit, NOTHING_SELECTED, adding=False)
+        selection = _alone(hit)
         if selection not in found:
             found.append(selection)
     if not found:

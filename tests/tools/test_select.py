@@ -3,10 +3,12 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from plusedit.document.selection import LineId, Selection
+from plusedit.document.shape import ShapeId
 from plusedit.geometry.bases.bspline import BSpline
 from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.lines import ControlLines
 from plusedit.interaction.tool import Held
+from plusedit.io.svg_reading import read_svg
 from plusedit.scene.camera import PlaneCamera
 from plusedit.scene.options import ViewOptions
 from tests.interaction.hand import BOW, CAMERA, EMPTY, WAVE, Hand, design, wave
@@ -440,3 +442,17 @@ def _on_the_curve(hand):
 
 def _angles(vectors):
     return np.arctan2(vectors[:, 1], vectors[:, 0])
+
+
+def test_a_joint_of_a_drawing_is_dragged_as_one():
+    design = read_svg(
+        b'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9">'
+        b'<path id="t" stroke="black" d="M0 0 C1 0 2 1 3 -3 L6 0"/></svg>',
+        "t.svg",
+    ).design
+    hand = Hand(design)
+    joint = design.curve(ShapeId("t-2")).lines.points[0]
+    hand.drag(joint, joint + 1.0)
+    first, second = (hand.session.design.curve(ShapeId(f"t-{k}")).lines.points for k in (1, 2))
+    assert_array_equal(first[-1], second[0])
+    assert (first[-1] != joint).all()
