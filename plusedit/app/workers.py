@@ -1,40 +1,40 @@
 """Threads beside the window's, during which Python's cyclic collector rests.
 
 The collector runs in whatever thread happens to allocate, and would there free widgets that only
-the window's thread may free.
+the window's thread may free: the program would crash. So it rests from before a worker begins
+until the window's thread has seen that it ended; a worker that let it go on by itself would be
+the next to allocate, and collect at once.
 """
 
 import gc
 from collections.abc import Callable
-from threading import Lock, Thread
+from threading import Thread
 
-_lock = Lock()
-_at_work = 0
+from PySide6.QtCore import QTimer
+
+GLANCE = 20  # milliseconds between looks whether the workers have ended
+
+_at_work: list[Thread] = []
 
 
 def start_worker(work: Callable[[], object], name: str, *, daemon: bool = False) -> Thread:
-    """Do `work` in a thread; the collector rests until the last such thread has ended.
+    """Do `work` in a thread; to be called from the window's thread.
 
     The program waits at its end for a thread that is no daemon.
     """
-
-    def do() -> None:
-        try:
-            work()
-        finally:
-            _count(-1)
-
-    _count(1)
-    thread = Thread(target=do, name=name, daemon=daemon)
+    gc.disable()
+    thread = Thread(target=work, name=name, daemon=daemon)
     thread.start()
+    _at_work.append(thread)
+    if len(_at_work) == 1:
+        QTimer.singleShot(GLANCE, _look)
     return thread
 
 
-def _count(by: int) -> None:
-    global _at_work
-    with _lock:
-        _at_work += by
-        if _at_work:
-            gc.disable()
-        else:
-            gc.enable()
+def _look() -> None:
+    """In the window's thread: let the collector go on once nobody is at work."""
+    _at_work[:] = [thread for thread in _at_work if thread.is_alive()]
+    if _at_work:
+        QTimer.singleShot(GLANCE, _look)
+    else:
+        gc.enable()
