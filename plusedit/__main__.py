@@ -45,11 +45,12 @@ class Parser(argparse.ArgumentParser):
 def main(argv: list[str] | None = None) -> int:
     """Run a command line, without the program's name; the exit code."""
     words = sys.argv[1:] if argv is None else argv
+    _open_closed_streams()
     try:
         try:
             code = _run(words)
         finally:
-            _flush()
+            sys.stdout.flush()
     except KeyboardInterrupt:
         return INTERRUPTED
     except BrokenPipeError:
@@ -59,6 +60,8 @@ def main(argv: list[str] | None = None) -> int:
         return 1
     except OSError as error:
         return _complain(f"plusedit: {error.strerror or error}".rstrip("."))
+    except MemoryError:
+        return _complain("plusedit: that takes more memory than there is")
     except Exception as error:
         return _unexpected(error)
     return code
@@ -122,9 +125,8 @@ def _is_told(error: ValueError) -> bool:
 
 
 def _complain(sentence: str) -> int:
-    if sys.stderr is not None:
-        with contextlib.suppress(OSError):
-            print(" ".join(sentence.splitlines()), file=sys.stderr)
+    with contextlib.suppress(OSError):
+        print(" ".join(sentence.splitlines()), file=sys.stderr)
     return WRONG
 
 
@@ -143,9 +145,15 @@ def _unexpected(error: Exception) -> int:
     return UNEXPECTED
 
 
-def _flush() -> None:
-    if sys.stdout is not None:
-        sys.stdout.flush()
+def _open_closed_streams() -> None:
+    """Let what nobody listens to go nowhere: started by `>&-`, or without a terminal.
+
+    Otherwise the next file to be written would get the number of the closed stream, and with it
+    whatever a library says there.
+    """
+    for name, mode in {"stdin": "r", "stdout": "w", "stderr": "w"}.items():
+        if getattr(sys, name) is None:
+            setattr(sys, name, os.fdopen(os.open(os.devnull, os.O_RDWR), mode, encoding="utf-8"))
 
 
 if __name__ == "__main__":

@@ -42,7 +42,11 @@ def run(arguments: argparse.Namespace) -> int:
     if out.exists() and Path(arguments.design).exists() and out.samefile(arguments.design):
         raise FormatError(f"{shown_name(out)}: is read from and can't be written to")
     design = load(arguments.design).design
-    data = _svg(design, arguments) if kind == ".svg" else _png(design, arguments)
+    try:
+        data = _svg(design, arguments) if kind == ".svg" else _png(design, arguments)
+    except MemoryError as error:
+        source = shown_name(Path(arguments.design))
+        raise FormatError(f"{source}: its picture takes more memory than there is") from error
     write_file(data, out)
     return 0
 
@@ -67,10 +71,7 @@ def _png(design: "Design", arguments: argparse.Namespace) -> bytes:
             f"PNG pictures need Qt, which can't be loaded ({error}); plusedit doctor says more"
         ) from error
     theme = THEMES[arguments.theme]
-    try:
-        return png_of(design, arguments.size, theme, transparent=arguments.transparent)
-    except MemoryError as error:
-        raise FormatError(str(error)) from error
+    return png_of(design, arguments.size, theme, transparent=arguments.transparent)
 
 
 def _size(word: str) -> tuple[int, int]:

@@ -84,12 +84,17 @@ def test_an_error_of_the_system_is_one_line_and_code_2(monkeypatch, capsys):
     assert capsys.readouterr().err == "plusedit: No space left on device\n"
 
 
+def test_too_little_memory_is_one_line_and_code_2(monkeypatch, capsys):
+    assert run_that(monkeypatch, MemoryError()) == 2
+    assert capsys.readouterr().err == "plusedit: that takes more memory than there is\n"
+
+
 def test_an_interruption_is_quiet(monkeypatch, capsys):
     assert run_that(monkeypatch, KeyboardInterrupt()) == 130
     assert capsys.readouterr().err == ""
 
 
-@pytest.mark.parametrize("error", [ValueError("bug"), RecursionError(), MemoryError()])
+@pytest.mark.parametrize("error", [ValueError("bug"), RecursionError(), KeyError(1)])
 def test_what_nobody_expected_goes_to_a_log(monkeypatch, capsys, tmp_path, error):
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path))
     monkeypatch.setattr(command_line, "log_file", lambda: tmp_path / "state" / "plusedit.log")
@@ -130,3 +135,19 @@ def test_a_full_disk_behind_standard_output_is_told(document):
     assert done.returncode == 2
     assert done.stderr.splitlines()[-1] == "plusedit: No space left on device"
     assert "Traceback" not in done.stderr
+
+
+@pytest.mark.skipif(os.name != "posix", reason="shells of Unix")
+def test_complaints_do_not_go_among_the_numbers_when_nobody_hears_them(document):
+    command = f"'{sys.executable}' -m plusedit sample '{document}' --count 2"
+    heard = subprocess.run(command, shell=True, capture_output=True, check=True)
+    unheard = subprocess.run(f"{command} 2>&-", shell=True, capture_output=True, check=True)
+    assert heard.stderr
+    assert unheard.stdout == heard.stdout
+
+
+@pytest.mark.skipif(os.name != "posix", reason="shells of Unix")
+@pytest.mark.parametrize(("words", "code"), [("schema", 0), ("--version", 0), ("sample gone", 2)])
+def test_closed_streams_change_no_exit_code(words, code):
+    command = f"'{sys.executable}' -m plusedit {words} <&- >&- 2>&-"
+    assert subprocess.run(command, shell=True, check=False).returncode == code

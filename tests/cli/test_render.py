@@ -76,3 +76,18 @@ def test_a_picture_does_not_take_the_place_of_its_source(tmp_path, capsys):
     before = source.read_bytes()
     assert main(["render", str(source), str(source)]) == 2
     assert source.read_bytes() == before
+
+
+@pytest.mark.parametrize("kind", ["png", "svg"])
+def test_a_picture_too_large_for_memory_is_one_line_and_code_2(
+    document, tmp_path, capsys, monkeypatch, kind
+):
+    def too_much(*_arguments, **_options):
+        raise MemoryError("Unable to allocate 9.09 TiB")
+
+    monkeypatch.setattr(f"plusedit.cli.render._{kind}", too_much)
+    out = tmp_path / f"out.{kind}"
+    assert main(["render", str(document), str(out)]) == 2
+    told = capsys.readouterr().err
+    assert told == f"{document.name}: its picture takes more memory than there is\n"
+    assert not out.exists()
