@@ -78,6 +78,8 @@ class ActionTable:
     def show_icon(self, name: str) -> None:
         """Draw the icon of an action that is about to be seen; drawing all would cost a start."""
         entry, action = self._entries[name], self._actions[name]
+        # A switch shows its tick in menus: a colored icon alone would not say that it is on.
+        action.setIconVisibleInMenu(entry.checked is None)
         if entry.icon and action.icon().isNull() and icon_file(entry.icon).exists():
             set_icon(action, entry.icon)
 

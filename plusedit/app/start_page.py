@@ -24,10 +24,11 @@ from plusedit.views.live import quiet, title
 if TYPE_CHECKING:
     from plusedit.app.figure import Figure
 
-WIDEST = 960  # logical pixels of the page, wherever the window is wider
 PICTURE = QSize(208, 132)
 MARGIN, GAP = 32, 16
 MOST_ACROSS = 4  # examples side by side
+CARD = PICTURE.width() + 2  # logical pixels, with its border
+WIDEST = MOST_ACROSS * (CARD + GAP) - GAP  # of the page, wherever the window is wider
 IDEA = (
     "A plus curve blends straight lines, where other curves blend points. "
     "Each control line has a point that pulls the curve and a direction that steers it. "
@@ -58,7 +59,7 @@ class Card(QFrame):
         column.setSpacing(4)
         column.addWidget(self.picture)
         column.addWidget(name)
-        self.setFixedWidth(PICTURE.width() + 2)
+        self.setFixedWidth(CARD)
 
     def show_picture(self, theme: Theme) -> None:
         """Draw the picture of the file."""
@@ -164,6 +165,7 @@ class StartPage(QScrollArea):
 
     def _page(self, new_curve: Callable[[], object], ask: Callable[[], object]) -> QWidget:
         column = QVBoxLayout()
+        column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(24)
         column.addLayout(self._top(new_curve, ask))
         column.addWidget(title("Examples"))
@@ -221,7 +223,7 @@ class StartPage(QScrollArea):
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         room = min(WIDEST, self.viewport().width() - 2 * MARGIN)
-        across = max(1, min(MOST_ACROSS, (room + GAP) // (PICTURE.width() + 2 + GAP)))
+        across = max(1, min(MOST_ACROSS, (room + GAP) // (CARD + GAP)))
         if across != self._across:
             self._across = across
             for number, card in enumerate(self._cards):

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from PySide6.QtCore import QEvent, QObject, QPoint, Qt
+from PySide6.QtCore import QEvent, QObject, QPoint, QSize, Qt
 from PySide6.QtGui import (
     QCloseEvent,
     QDragEnterEvent,
@@ -47,8 +47,10 @@ from plusedit.views.desk import Desk
 from plusedit.views.icons import refresh_icons
 from plusedit.views.magnitude_bar import MagnitudeBar
 
+LONGEST = 48  # characters of what a menu says would be undone
 TYPED_INTO = (QLineEdit, QAbstractSpinBox, QTextEdit, QKeySequenceEdit)
-USUAL_SIZE, LEAST_SIZE = (1280, 820), (900, 600)  # logical pixels
+USUAL_SIZE, LEAST_SIZE = QSize(1280, 820), QSize(900, 600)  # logical pixels
+FRAME = QSize(16, 48)  # what a desktop puts around a window, at most
 
 
 class MainWindow(QMainWindow):
@@ -83,8 +85,8 @@ class MainWindow(QMainWindow):
     # How it is put together
 
     def _lay_out(self) -> None:
-        self.setMinimumSize(*LEAST_SIZE)
-        self.resize(*USUAL_SIZE)
+        self.setMinimumSize(LEAST_SIZE)
+        self.resize(USUAL_SIZE.boundedTo(self.screen().availableSize() - FRAME))
         self.setAcceptDrops(True)
         self.stack.addWidget(self.canvas)
         self.stack.addWidget(self.start_page)
@@ -204,7 +206,7 @@ class MainWindow(QMainWindow):
         for name, label in (("undo", self.session.undo_label), ("redo", self.session.redo_label)):
             action = self.actions_table[name]
             word = name.capitalize()
-            action.setText(f"{word} {label}" if label else word)
+            action.setText(f"{word} {shortened(label)}" if label else word)
             action.setEnabled(label is not None)
             action.setToolTip(f"{action.text()}  ({self.actions_table.keys_text(name)})")
         self.setWindowModified(not self.session.is_saved)
@@ -220,7 +222,8 @@ class MainWindow(QMainWindow):
         self.show_view()
 
     def _leave_start_page(self, shapes: int) -> None:
-        if shapes and not self.session.is_previewing:
+        is_there = self.stack.currentWidget() is self.start_page
+        if shapes and is_there and not self.session.is_previewing:
             self.show_view()
 
     def _show_theme(self) -> None:
@@ -278,3 +281,8 @@ class MainWindow(QMainWindow):
         self.settings.sync()
         self.autosave.close()
         event.accept()
+
+
+def shortened(label: str) -> str:
+    """A label that leaves a menu its width, whatever names stand in it."""
+    return label if len(label) <= LONGEST else f"{label[: LONGEST - 1].rstrip()}…"

@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QIcon, QPainter, QPen, QPixmap
-from PySide6.QtWidgets import QColorDialog, QMenu, QToolButton
+from PySide6.QtWidgets import QColorDialog, QMenu, QSizePolicy, QToolButton
 
 SWATCHES = {
     "Green": "#12824A",
@@ -54,12 +54,14 @@ class ColorButton(QToolButton):
         self._apply = apply
         self._color = QColor()
         self.setAccessibleName("color")
+        self.setProperty("field", True)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setToolTip("Color of the curve")
         self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         self.setIconSize(QSize(CHIP, CHIP))
         self.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         menu = QMenu(self)
-        menu.addAction("Theme's color", lambda: self._apply(None))
+        menu.addAction("Theme’s color", lambda: self._apply(None))
         menu.addSeparator()
         for name, color in SWATCHES.items():
             menu.addAction(chip_icon(QColor(color)), name, lambda c=color: self._apply(c))
@@ -76,7 +78,7 @@ class ColorButton(QToolButton):
             return
         self._color = QColor(first or usual)
         self.setIcon(chip_icon(self._color, hollow=first is None))
-        self.setText(self._color.name().upper() if first else "Theme's")
+        self.setText(self._color.name().upper() if first else "Theme’s color")
 
     def _ask(self) -> None:
         color = QColorDialog.getColor(self._color, self, "Color of the curve")

@@ -145,6 +145,10 @@ QToolButton:checked { background: @soft; color: @accent; }
 QToolButton:pressed { background: @soft; }
 QToolButton:focus { background: @softer; }
 QToolButton::menu-indicator { image: none; }
+QToolButton[field="true"] { background: @panel; border: 1px solid @border; border-radius: 4px;
+    padding: 2px 6px; min-height: 18px; }
+QToolButton[field="true"]:hover { border-color: @quiet; }
+QToolButton[field="true"]:focus { border-color: @accent; }
 QDockWidget { font-weight: 600; }
 QDockWidget > QWidget { background: @window; }
 QStatusBar { background: @window; border-top: 1px solid @border; }
@@ -196,9 +200,9 @@ QTreeView, QTableView, QListView, QTextBrowser { background: @panel; border: non
     outline: none; selection-background-color: @soft; selection-color: @text; }
 QDockWidget QTreeView, QDockWidget QTableView { border-top: 1px solid @border; }
 QTreeView::item { min-height: 26px; }
+QTreeView::item:hover, QListView::item:hover { background: @softer; }
 QTreeView::item:selected, QListView::item:selected, QTableView::item:selected {
     background: @soft; color: @text; }
-QTreeView::item:hover, QListView::item:hover { background: @softer; }
 QTableView { gridline-color: @window; }
 QTableView QLineEdit, QTreeView QLineEdit, QListView QLineEdit { border-radius: 2px;
     padding: 0 2px; min-height: 0; }

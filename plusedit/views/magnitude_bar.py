@@ -16,6 +16,7 @@ from plusedit.views.magnitude_slider import STEP, MagnitudeSlider
 
 RESET = 0.5  # s / L that a double-click goes back to
 NAMED = 1  # curves that are called by name
+ROOM = 112  # logical pixels for the name, so that the slider stands still when it changes
 
 
 class MagnitudeBar(LiveWidget):
@@ -28,6 +29,7 @@ class MagnitudeBar(LiveWidget):
         self.s_field = NumberField("s", self._set_s, step=0.1, digits=5)
         self._what = QLabel()
         self._what.setProperty("quiet", True)
+        self._what.setFixedWidth(ROOM)
         self._lay_out()
         self.slider.moved.connect(self._preview)
         self.slider.settled.connect(self._settle)
@@ -100,7 +102,8 @@ class MagnitudeBar(LiveWidget):
             return "No curve"
         if len(targets) == NAMED:
             name = self.desk.session.design[next(iter(targets))].name
-            return name if len(name) <= 20 else f"{name[:19]}…"
+            end = Qt.TextElideMode.ElideRight
+            return self._what.fontMetrics().elidedText(name, end, ROOM)
         if self.desk.session.selection.shapes:
             return f"{len(targets)} curves"
         return f"All {len(targets)} curves"

@@ -4,6 +4,7 @@ import pytest
 from numpy.testing import assert_allclose
 from PySide6.QtCore import Qt
 
+from plusedit.commands.shapes import Rename
 from plusedit.document.selection import LineId
 from tests.designs import BOW, WING, a_design
 
@@ -96,3 +97,10 @@ def test_a_drag_repaints_cells_without_making_rows_anew(window, panel):
     panel.refresh()
     assert panel.model.data(cell(panel, 1, "x")) == "9"
     assert resets == []
+
+
+def test_a_longer_name_gets_a_wider_column(window, panel):
+    before = panel.table.columnWidth(0)
+    window.desk.commit(Rename(WING, "a much longer name than before"))
+    panel.refresh()
+    assert panel.table.columnWidth(0) > before

@@ -5,7 +5,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QPushButton
 
 from plusedit.app.figure import CURVE, Figure
-from plusedit.app.start_page import words_of
+from plusedit.app.start_page import MOST_ACROSS, words_of
 from plusedit.resources import example_files
 from plusedit.scene.theme import DARK
 
@@ -77,3 +77,14 @@ def test_the_s_of_the_figure_is_dragged(qtbot):
 
 def test_names_of_files_become_words(tmp_path):
     assert words_of(tmp_path / "figure_1.plus.json") == "Figure 1"
+
+
+def test_examples_end_where_the_figure_ends(qtbot, window, page):
+    window.resize(1280, 820)
+    qtbot.waitUntil(lambda: page.figure is not None)
+    last = page._cards[MOST_ACROSS - 1]
+
+    def right(widget):
+        return widget.mapTo(page, widget.rect().topRight()).x()
+
+    qtbot.waitUntil(lambda: right(last) == right(page.figure))

@@ -6,6 +6,7 @@ from PySide6.QtGui import QEnterEvent, QPalette
 from PySide6.QtWidgets import QApplication, QLineEdit
 
 from plusedit.commands.lines import SetCoordinate
+from plusedit.commands.shapes import Rename
 from plusedit.interaction.tool import Pointer
 from plusedit.scene.theme import DARK, LIGHT
 from tests.designs import WING, a_design
@@ -264,3 +265,17 @@ def test_focus_leaves_the_field_for_the_view_by_escape(qtbot, filled):
 def test_leaving_and_coming_back_does_not_lose_events(filled):
     QApplication.sendEvent(filled.canvas, QEvent(QEvent.Type.Leave))
     assert filled.status.text.text()
+
+
+def test_the_first_window_fits_on_the_screen(window):
+    room = window.screen().availableSize()
+    assert window.width() <= max(room.width(), window.minimumWidth())
+    assert window.height() <= max(room.height(), window.minimumHeight())
+
+
+def test_a_long_label_leaves_the_menu_its_width(filled):
+    filled.desk.commit(Rename(WING, "name " * 40))
+    text = filled.actions_table["undo"].text()
+    assert text.startswith("Undo Rename")
+    assert text.endswith("…")
+    assert len(text) < 60

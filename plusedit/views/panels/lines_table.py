@@ -38,6 +38,7 @@ HEADS = {
     "auto": ("Auto", "Whether the direction follows the neighboring points"),
     "weight": ("Weight", "Share of the control line in the curve"),
 }
+LEFT = ("line", "auto")  # columns that hold no numbers
 WIDEST = 104  # logical pixels of the column of names
 LISTED = 300  # control lines; a design with more lists those of the selected curves only
 EMPTY = "No control lines yet.\n\nEvery curve's control lines are listed here with their numbers."
@@ -59,7 +60,7 @@ class LinesModel(QAbstractTableModel):
         return self._rows
 
     def refresh(self) -> bool:
-        """Show the curves as they are now; whether rows or columns are others than before."""
+        """Show the curves as they are now; whether rows, names or columns are others now."""
         design = self._desk.session.design
         curves = dict(design.curves())
         if sum(len(curve.lines) for curve in curves.values()) > LISTED:
@@ -69,8 +70,9 @@ class LinesModel(QAbstractTableModel):
         columns = [name for name in HEADS if name != "2" or is_space]
         before, self._shown = self._shown, {i: design[i] for i in curves}
         if rows == self._rows and columns == self._columns:
-            self._tell_of({i for i, shape in self._shown.items() if before.get(i) is not shape})
-            return False
+            changed = {i for i, shape in self._shown.items() if before.get(i) is not shape}
+            self._tell_of(changed)
+            return any(before[i].name != self._shown[i].name for i in changed)
         self.beginResetModel()
         self._rows, self._columns = rows, columns
         self.endResetModel()
@@ -97,6 +99,8 @@ class LinesModel(QAbstractTableModel):
                 return HEADS[self._columns[section]][0]
             if role == Role.ToolTipRole:
                 return HEADS[self._columns[section]][1]
+            if role == Role.TextAlignmentRole and self._columns[section] not in LEFT:
+                return int(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         return None
 
     def flags(self, index: Index) -> Qt.ItemFlag:
@@ -190,6 +194,7 @@ class LinesTable(LiveWidget):
         self.table.setFont(tabular(self.table.font()))
         self.table.setShowGrid(False)
         # Numbers stand at the end of names: "wing 12" must not become "wing…".
+        self.table.setWordWrap(False)
         self.table.setTextElideMode(Qt.TextElideMode.ElideMiddle)
         self.table.verticalHeader().hide()
         self.table.verticalHeader().setDefaultSectionSize(24)
@@ -206,6 +211,7 @@ class LinesTable(LiveWidget):
         self._stack.addWidget(self.table)
         self._stack.addWidget(self._empty)
         self._is_showing = False
+        self._chosen: frozenset[ShapeId] = frozenset()
         self.table.selectionModel().selectionChanged.connect(self._select)
 
     def refresh(self) -> None:
@@ -219,6 +225,8 @@ class LinesTable(LiveWidget):
 
     def _show_selection(self) -> None:
         wanted = self.desk.session.selection.lines
+        if not wanted:
+            self._show_first()
         rows = {row for row, line in enumerate(self.model.rows) if line in wanted}
         chosen = self.table.selectionModel()
         if rows == {index.row() for index in chosen.selectedRows()}:
@@ -230,6 +238,16 @@ class LinesTable(LiveWidget):
         chosen.select(selection, QItemSelectionModel.SelectionFlag.ClearAndSelect)
         if len(rows) == 1:
             self.table.scrollTo(self.model.index(next(iter(rows)), 0))
+
+    def _show_first(self) -> None:
+        """Bring the lines of shapes that have just been selected into sight."""
+        before, self._chosen = self._chosen, self.desk.session.selection.shapes
+        if self._chosen == before:
+            return
+        first = (row for row, line in enumerate(self.model.rows) if line.shape in self._chosen)
+        if (row := next(first, None)) is not None:
+            hint = QAbstractItemView.ScrollHint.PositionAtTop
+            self.table.scrollTo(self.model.index(row, 0), hint)
 
     def _select(self) -> None:
         if self._is_showing:

@@ -1,0 +1,44 @@
+"""Where keys go: a field that was typed into keeps them, whatever changes around it."""
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QLineEdit
+
+from plusedit.document.selection import LineId
+from tests.designs import WING, a_design
+from tests.gui.conftest import select_lines
+from tests.gui.finding import named, type_into
+
+pytestmark = pytest.mark.gui
+
+
+@pytest.fixture
+def filled(window):
+    window.files.show(a_design(), None)
+    select_lines(window, WING, 1)
+    window.docks.widget("inspector").refresh()
+    return window
+
+
+def test_a_field_keeps_the_focus_after_its_number_was_taken(qtbot, filled):
+    field = named(filled.docks.widget("inspector"), "x", QLineEdit)
+    type_into(qtbot, field, "3.5")
+    assert filled.session.undo_label is not None
+    assert filled.focusWidget() is field
+
+
+def test_tab_goes_to_the_next_field_after_a_number_was_taken(qtbot, filled):
+    inspector = filled.docks.widget("inspector")
+    field, following = named(inspector, "x", QLineEdit), named(inspector, "y", QLineEdit)
+    type_into(qtbot, field, "3.5")
+    qtbot.keyClick(field, Qt.Key.Key_Tab)
+    assert filled.focusWidget() is following
+    assert filled.session.selection.lines == {LineId(WING, 1)}
+
+
+def test_the_slider_keeps_the_focus_while_keys_move_it(qtbot, filled):
+    slider = filled.magnitude.slider
+    slider.setFocus()
+    qtbot.keyClick(slider, Qt.Key.Key_Right)
+    slider.finish()
+    assert filled.focusWidget() is slider
