@@ -52,7 +52,7 @@ class PlaneCanvas(PlaneView):
     def __init__(self, session: Session, gestures: Gestures, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._session, self._gestures = session, gestures
-        self._options, self._theme = ViewOptions(), LIGHT
+        self._options, self._theme = ViewOptions(), LIGHT.legible()
         self._feedback = Feedback()
         self._strata = Strata()
         self._pointer: Pointer | None = None
@@ -107,7 +107,7 @@ class PlaneCanvas(PlaneView):
 
     def set_theme(self, theme: Theme) -> None:
         """Draw in those colors."""
-        self._theme = theme
+        self._theme = theme.legible()
         self.update()
 
     def set_camera(self, camera: PlaneCamera) -> None:

@@ -1,20 +1,8 @@
 import pytest
 
-from plusedit.scene.theme import DARK, LIGHT, THEMES, Theme
+from plusedit.scene.theme import DARK, LEAST, LIGHT, THEMES, Theme, contrast
 
 TEXT, HANDLES = 4.5, 3.0
-
-
-def luminance(color):
-    """Of "#rrggbb", as the accessibility guidelines (WCAG 2) define it."""
-    channels = [int(color[i : i + 2], 16) / 255.0 for i in (1, 3, 5)]
-    linear = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in channels]
-    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
-
-
-def contrast(one, other):
-    low, high = sorted([luminance(one), luminance(other)])
-    return (high + 0.05) / (low + 0.05)
 
 
 def seen(theme, role):
@@ -59,3 +47,20 @@ def test_an_unknown_role_is_an_error():
 
 def test_both_themes_have_the_same_roles():
     assert set(LIGHT.colors) == set(DARK.colors)
+
+
+@pytest.mark.parametrize(("theme", "own"), [(DARK, "#000000"), (LIGHT, "#FFFFFF")])
+def test_a_curve_in_the_color_of_the_canvas_is_seen_where_one_works(theme, own):
+    assert theme.color(own) == own
+    assert contrast(theme.legible().color(own), theme.color("canvas")) >= LEAST
+    assert theme.legible().color(own + "80").endswith("80")
+
+
+@every_theme
+def test_colors_that_are_seen_stay_as_they_are(theme):
+    assert theme.legible().color("#C8372D") == "#C8372D"
+
+
+def test_black_on_white_has_the_greatest_contrast():
+    assert contrast("#000000", "#FFFFFF") == pytest.approx(21.0)
+    assert contrast("#123456", "#123456") == 1.0
