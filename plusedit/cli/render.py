@@ -32,16 +32,15 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Nothing is written before the whole picture is there."""
-    from plusedit.io.files import load, shown_name, write_file
+    from plusedit.io.files import check_apart, load, shown_name, write_file
     from plusedit.io.formats import FormatError
 
     out = Path(arguments.out)
     kind = out.suffix.lower()
     if kind not in (".png", ".svg"):
         raise FormatError(f"{shown_name(out)}: a picture's name ends with .png or .svg")
-    if out.exists() and Path(arguments.design).exists() and out.samefile(arguments.design):
-        raise FormatError(f"{shown_name(out)}: is read from and can't be written to")
     design = load(arguments.design).design
+    check_apart(out, arguments.design)
     try:
         data = _svg(design, arguments) if kind == ".svg" else _png(design, arguments)
     except MemoryError as error:

@@ -37,7 +37,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Everything is worked out before the first byte is written."""
-    from plusedit.io.files import load, read_file, shown_name, write_file
+    from plusedit.io.files import check_apart, load, read_file, shown_name, write_file
     from plusedit.io.json_text import encode, shown, to_bytes
     from plusedit.io.samples import everywhere, left_out, places_in, samples
 
@@ -52,24 +52,13 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.out is None:
         sys.stdout.buffer.write(data)
     else:
-        _refuse_input(arguments)
+        check_apart(arguments.out, arguments.design, *([arguments.at] if arguments.at else []))
         write_file(data, arguments.out)
     if arguments.at is None:
         for shape_id in left_out(design, places):
             name = shown(design[shape_id].name)
             print(f"{name} is left out: only curves can be sampled yet", file=sys.stderr)
     return 0
-
-
-def _refuse_input(arguments: argparse.Namespace) -> None:
-    """FormatError if the numbers would take the place of what they were made from."""
-    from plusedit.io.files import shown_name
-    from plusedit.io.formats import FormatError
-
-    out = Path(arguments.out)
-    for source in (arguments.design, arguments.at):
-        if source is not None and out.exists() and out.samefile(source):
-            raise FormatError(f"{shown_name(out)}: is read from and can't be written to")
 
 
 def _count(word: str) -> int:

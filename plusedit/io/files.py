@@ -90,6 +90,14 @@ def write_file(data: bytes, path: str | os.PathLike[str]) -> None:
         _settle(target.parent)
 
 
+def check_apart(path: str | os.PathLike[str], *sources: str | os.PathLike[str]) -> None:
+    """FormatError if writing to `path` would replace one of the `sources`, which are there."""
+    place = Path(path)
+    with _told(place):
+        if place.exists() and any(place.samefile(source) for source in sources):
+            raise FormatError("is read from and can't be written to")
+
+
 def shown_name(path: Path) -> str:
     """The name of a file as a sentence can quote it: on one line, fit for every terminal."""
     name = path.name or str(path)

@@ -10,7 +10,7 @@ import pytest
 
 from plusedit.document.design import Design
 from plusedit.io import files
-from plusedit.io.files import load, read_file, save, write_file
+from plusedit.io.files import check_apart, load, read_file, save, write_file
 from plusedit.io.formats import FormatError
 from tests.designs import DOCUMENT, a_design, contents
 
@@ -218,6 +218,19 @@ def test_without_permission_it_says_so(document):
 def test_a_file_that_may_not_be_read_is_told(document, monkeypatch):
     monkeypatch.setattr(files.os, "open", failing(errno.EACCES))
     assert refused(load, document) == "bow.json: permission denied"
+
+
+def test_a_result_does_not_take_the_place_of_what_it_is_made_from(document):
+    check_apart(document.with_name("new.json"), document)
+    document.with_name("link").symlink_to(document)
+    told = refused(check_apart, document.with_name("link"), document)
+    assert told == "link: is read from and can't be written to"
+
+
+def test_a_result_in_a_folder_that_may_not_be_looked_into_is_told(document, monkeypatch):
+    monkeypatch.setattr(Path, "exists", failing(errno.EACCES))
+    told = refused(check_apart, document.with_name("out.json"), document)
+    assert told == "out.json: permission denied"
 
 
 def test_a_file_that_is_too_large_is_not_read(tmp_path):
