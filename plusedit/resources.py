@@ -20,3 +20,8 @@ def icon_file(name: str) -> Path:
 def example_files() -> list[Path]:
     """The shipped designs, in the order of their names."""
     return sorted((assets() / "examples").glob("*.json"))
+
+
+def is_shipped(path: Path) -> bool:
+    """Whether a file is one of those that ship with the program, which are not to be changed."""
+    return assets().resolve() in path.resolve().parents

@@ -32,8 +32,7 @@ class Dialogs:
 
     def open_path(self, folder: Path) -> Path | None:
         """The file to open."""
-        suffixes = [suffix for f in formats.values() for suffix in f.suffixes]
-        all_of_ours = f"All that can be opened ({' '.join('*' + s for s in suffixes)})"
+        all_of_ours = f"All that can be opened ({' '.join('*' + s for s in known_suffixes())})"
         filters = [all_of_ours, *map(patterns, formats.values()), "All files (*)"]
         return self._path(
             QFileDialog.getOpenFileName(self._parent, "Open", str(folder), ";;".join(filters))
@@ -53,12 +52,12 @@ class Dialogs:
         answer = QFileDialog.getSaveFileName(
             self._parent, "Save design", str(suggested), ";;".join(filters)
         )
-        return with_suffix(self._path(answer), DESIGN_SUFFIX)
+        return self._completed(self._path(answer), DESIGN_SUFFIX, known_suffixes())
 
     def export_path(self, suggested: Path, title: str, filters: str) -> Path | None:
         """The name of a picture or drawing to write."""
         answer = QFileDialog.getSaveFileName(self._parent, title, str(suggested), filters)
-        return with_suffix(self._path(answer), suggested.suffix)
+        return self._completed(self._path(answer), suggested.suffix)
 
     def unsaved(self, name: str) -> Answer:
         """What is to become of changes that are not saved."""
@@ -94,13 +93,38 @@ class Dialogs:
         """Say what went wrong."""
         message(self._parent, sentence).exec()
 
+    def may_replace(self, path: Path) -> bool:
+        """Whether a file that is there already may be written over."""
+        button = QMessageBox.StandardButton
+        question = f"{path.name} is there already. Replace it?"
+        chosen = button.Yes | button.Cancel
+        answer = QMessageBox.question(self._parent, "PlusEdit", question, chosen, button.Cancel)
+        return answer == button.Yes
+
+    def _completed(
+        self, path: Path | None, suffix: str, known: tuple[str, ...] = ()
+    ) -> Path | None:
+        """The path with its suffix; the file dialog could not ask about a name it never saw."""
+        whole = with_suffix(path, suffix, known)
+        if whole is None or whole == path or not whole.exists() or self.may_replace(whole):
+            return whole
+        return None
+
     def _path(self, answer: Iterable[object]) -> Path | None:
         name = str(next(iter(answer)))
         return Path(name) if name else None
 
 
-def with_suffix(path: Path | None, suffix: str) -> Path | None:
-    """`path` with that suffix if it has none of its own."""
-    if path is None or path.suffix:
+def known_suffixes() -> tuple[str, ...]:
+    """Those of all formats."""
+    return tuple(suffix for format_ in formats.values() for suffix in format_.suffixes)
+
+
+def with_suffix(path: Path | None, suffix: str, known: tuple[str, ...] = ()) -> Path | None:
+    """`path` with that suffix behind it, unless it ends with it or with a known one.
+
+    What follows a dot in a name such as "wing v1.2" is no suffix.
+    """
+    if path is None or path.name.lower().endswith((suffix, *known)):
         return path
     return path.with_name(path.name + suffix)

@@ -76,4 +76,5 @@ def head_of(title: str) -> QLabel:
     """The title of a dock: quiet, without buttons; the Window menu hides and shows docks."""
     label = QLabel(title)
     label.setProperty("dock", True)
+    label.setIndent(0)
     return label

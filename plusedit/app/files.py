@@ -12,6 +12,7 @@ from plusedit.app.settings import Settings
 from plusedit.document.design import Design
 from plusedit.events import Event
 from plusedit.io.formats import FormatError, Loaded
+from plusedit.resources import is_shipped
 from plusedit.views.desk import Desk
 
 UNTITLED = "Untitled"
@@ -89,8 +90,11 @@ class Files:
         self.shown.emit()
 
     def save(self) -> bool:
-        """Save where it was saved before, asking for a name if need be; whether it was saved."""
-        if self.path is None or not keeps_all(self.path):
+        """Save where it was saved before, asking for a name if need be; whether it was saved.
+
+        A shipped example stays as it is: the design that was made of it gets a name of its own.
+        """
+        if self.path is None or is_shipped(self.path) or not keeps_all(self.path):
             return self.save_as()
         return self._write(self.path)
 
@@ -171,7 +175,8 @@ class Files:
         return True
 
     def _remember(self, path: Path) -> None:
-        self._settings.remember_file(path)
+        if not is_shipped(path):
+            self._settings.remember_file(path)
         self.named.emit()
 
     def _forget_if_gone(self, path: Path) -> None:
@@ -181,7 +186,7 @@ class Files:
             self.named.emit()
 
     def _folder(self) -> Path:
-        if self.path is not None:
+        if self.path is not None and not is_shipped(self.path):
             return self.path.parent
         recent = [path.parent for path in self._settings.recent if path.parent.is_dir()]
         return recent[0] if recent else Path.home()

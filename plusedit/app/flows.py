@@ -12,6 +12,7 @@ from plusedit.app.autosave import Autosave, Left, left_behind
 from plusedit.app.clipboard import counted, fresh
 from plusedit.app.files import Files
 from plusedit.commands.shapes import AddShapes
+from plusedit.events import Event
 from plusedit.io.formats import Loaded
 from plusedit.scene.theme import THEMES
 from plusedit.views.desk import Desk
@@ -31,6 +32,8 @@ class Flows:
         self._parent = parent
         self.ask_version: Callable[[Left], Choice] = self._ask_version
         """which version of a recovered design to go on with"""
+        self.imported: Event[()] = Event()
+        """emitted when shapes from a drawing, now selected, were added to the design"""
 
     def new(self) -> None:
         """An empty design, with the pen in hand."""
@@ -61,6 +64,7 @@ class Flows:
         if not self._desk.commit(AddShapes(shapes, name=f"Import {path.name}")):
             self._desk.say(f"Imported {counted(len(shapes))} from {path.name}.")
             self._files.notes.emit(path.name, loaded.notes)
+            self.imported.emit()
 
     def export_png(self) -> None:
         """Write a picture of the design."""

@@ -15,13 +15,13 @@ from PySide6.QtWidgets import (
 )
 
 from plusedit.app.autosave import Left
-from plusedit.app.files import UNTITLED
 from plusedit.app.thumbnails import picture_of, picture_of_file
 from plusedit.scene.theme import Theme
 from plusedit.views.live import quiet, title
 
 Choice = Literal["recovered", "saved", "later"]
 
+NAMELESS = "a design without a name"
 PICTURE = QSize(288, 200)
 
 
@@ -32,7 +32,7 @@ class RecoveryDialog(QDialog):
         super().__init__(parent)
         self.choice: Choice = "later"
         self._theme = theme
-        name = UNTITLED if left.path is None else left.path.name
+        name = NAMELESS if left.path is None else left.path.name
         self.setWindowTitle("PlusEdit")
         column = QVBoxLayout(self)
         column.setContentsMargins(24, 24, 24, 16)
@@ -50,7 +50,7 @@ class RecoveryDialog(QDialog):
         column.addWidget(later, 0, Qt.AlignmentFlag.AlignRight)
 
     def _recovered(self, left: Left) -> QVBoxLayout:
-        picture = QLabel()
+        picture = framed()
         picture.setPixmap(picture_of(left.design, PICTURE, self._theme, self.devicePixelRatioF()))
         button = QPushButton("Open recovered version")
         button.setDefault(True)
@@ -58,9 +58,7 @@ class RecoveryDialog(QDialog):
         return self._version("Recovered", when(left.time), picture, button)
 
     def _saved(self, path: Path | None) -> QVBoxLayout:
-        picture = QLabel()
-        picture.setFixedSize(PICTURE)
-        picture.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        picture = framed("Nothing")
         date = "never saved"
         button = QPushButton("Discard recovered version")
         if path is not None and path.exists():
@@ -70,7 +68,7 @@ class RecoveryDialog(QDialog):
                 picture.setPixmap(pixmap)
                 button.setText("Open saved version")
             else:
-                picture.setText("The file can't be read.")
+                picture.setText("The file can’t be read.")
         elif path is not None:
             date = "the file is gone"
         button.setToolTip("The recovered version is deleted")
@@ -90,6 +88,16 @@ class RecoveryDialog(QDialog):
     def _choose(self, choice: Choice) -> None:
         self.choice = choice
         self.accept()
+
+
+def framed(text: str = "") -> QLabel:
+    """The place of a picture, with words where there is none."""
+    label = QLabel(text)
+    label.setFixedSize(PICTURE + QSize(2, 2))
+    label.setAlignment(Qt.AlignmentFlag.AlignCenter)
+    label.setProperty("framed", True)
+    label.setProperty("quiet", True)
+    return label
 
 
 def when(seconds: float) -> str:

@@ -135,6 +135,7 @@ class MainWindow(QMainWindow):
         self.files.named.listen(self._named)
         self.files.shown.listen(self._shown)
         self.files.notes.listen(self.notes.tell)
+        self.flows.imported.listen(self.canvas.frame_selected)
         self.view.changed.listen(self.actions_table.refresh)
         self.gestures.tool_changed.listen(lambda _: self.actions_table.refresh())
         self.desk.theme_changed.listen(lambda theme: self._show_theme())

@@ -41,6 +41,7 @@ from plusedit.scene.items import Item, Polyline
 PREVIEW = Grid.uniform(257)
 
 SQRT_HALF = sqrt(0.5)
+AT_REST = 3.0  # pixels
 
 START_HINT = "Click to place the first control line, drag to direct it · Ctrl snaps to the grid"
 DRAW_HINT = (
@@ -99,8 +100,11 @@ class Pen:
         if stroke is not None and self._closes(at, stroke, stage):
             return self._closing(stroke, stage)
         point = self._point(at, stroke, stage)
-        edit = self._edit_of(Placed(point), stroke, stage)
         before = self._last_point(stroke, stage)
+        if before is not None and _is_there(point, before, stage):
+            # Just clicked: a second line at the same place is hardly what comes next.
+            return Feedback((ring(point[None]),), DRAW_HINT, cursor="cross")
+        edit = self._edit_of(Placed(point), stroke, stage)
         items: list[Item] = [ring(point[None])]
         text = ""
         if before is not None:
@@ -262,6 +266,12 @@ class Pen:
         except EditError as error:
             return Feedback((mark,), str(error), cursor="cross")
         return Feedback((shown, mark), "Click to close the curve", cursor="cross")
+
+
+def _is_there(point: Floats, before: Floats, stage: Stage) -> bool:
+    """Whether two points are one on the screen, as far as a hand at rest can tell."""
+    there = np.stack([point, fitted(before, len(point))])
+    return bool(np.hypot(*np.diff(stage.camera.to_screen(there), axis=0)[0]) <= AT_REST)
 
 
 def _at_round_angle(point: Floats, about: Floats, plane: tuple[int, int]) -> Floats:

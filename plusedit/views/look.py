@@ -146,7 +146,7 @@ QToolButton:pressed { background: @soft; }
 QToolButton:focus { background: @softer; }
 QToolButton::menu-indicator { image: none; }
 QToolButton[field="true"] { background: @panel; border: 1px solid @border; border-radius: 4px;
-    padding: 2px 6px; min-height: 18px; }
+    padding: 1px 6px; min-height: 16px; }
 QToolButton[field="true"]:hover { border-color: @quiet; }
 QToolButton[field="true"]:focus { border-color: @accent; }
 QDockWidget { font-weight: 600; }

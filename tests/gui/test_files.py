@@ -3,6 +3,7 @@
 import json
 from pathlib import Path
 
+import numpy as np
 import pytest
 from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QCloseEvent, QDropEvent
@@ -73,10 +74,14 @@ def test_saving_again_asks_for_no_name(edited, answers, tmp_path):
 
 
 def test_a_name_without_a_suffix_gets_ours():
-    from plusedit.app.dialogs import DESIGN_SUFFIX, with_suffix
+    from plusedit.app.dialogs import DESIGN_SUFFIX, known_suffixes, with_suffix
 
-    assert with_suffix(Path("/a/b"), DESIGN_SUFFIX) == Path("/a/b.plus.json")
-    assert with_suffix(Path("/a/b.json"), DESIGN_SUFFIX) == Path("/a/b.json")
+    known = known_suffixes()
+    assert with_suffix(Path("/a/b"), DESIGN_SUFFIX, known) == Path("/a/b.plus.json")
+    assert with_suffix(Path("/a/b.json"), DESIGN_SUFFIX, known) == Path("/a/b.json")
+    assert with_suffix(Path("/a/b.svg"), DESIGN_SUFFIX, known) == Path("/a/b.svg")
+    assert with_suffix(Path("/a/wing v1.2"), DESIGN_SUFFIX, known) == Path("/a/wing v1.2.plus.json")
+    assert with_suffix(Path("/a/b.png"), ".svg") == Path("/a/b.png.svg")
     assert with_suffix(None, DESIGN_SUFFIX) is None
 
 
@@ -219,6 +224,9 @@ def test_a_drawing_is_imported_in_one_step(edited, drawing, how, count):
     edited.flows.add_drawing(drawing, Reading(how, 0.001))
     assert len(edited.session.design) == len(before) + count
     assert len(edited.session.selection.shapes) == count
+    chosen = [edited.session.design.curve(i) for i in edited.session.selection.shapes]
+    seen = edited.canvas.camera.to_screen(np.concatenate([c.lines.points for c in chosen]))
+    assert ((seen > 0.0) & (seen < edited.canvas.camera.size)).all(), "the view goes to them"
     edited.session.undo()
     assert edited.session.design is before
 
@@ -297,3 +305,15 @@ def test_the_collector_rests_until_the_window_has_seen_the_last_worker_end(qtbot
     # Had a worker let the collector go on, it could have run in that worker.
     assert not gc.isenabled()
     qtbot.waitUntil(gc.isenabled)
+
+
+def test_a_shipped_example_is_saved_under_a_name_of_its_own(window, answers, tmp_path):
+    shipped = example("figure_2.json")
+    before = shipped.read_bytes()
+    window.files.open(shipped)
+    assert window.settings.recent == []
+    answers.save = tmp_path / "mine.plus.json"
+    assert window.files.save()
+    assert answers.suggested.parent != shipped.parent
+    assert shipped.read_bytes() == before
+    assert window.files.path == answers.save

@@ -8,6 +8,7 @@ from plusedit.geometry.bases.bspline import BSpline
 from plusedit.geometry.bases.rag import RationalGaussian
 from plusedit.geometry.magnitude import polygon_length
 from plusedit.interaction.tool import Held, NewCurves
+from plusedit.scene.items import Polyline
 from tests.interaction.hand import Hand, design, wave
 
 CORNERS = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0), (-1.0, 1.0)]
@@ -273,3 +274,13 @@ def test_escape_with_nothing_drawn_goes_back_to_selecting():
     assert hand.gestures.key("Escape")
     assert hand.gestures.tool_name == "select"
     assert not hand.errors
+
+
+def test_no_second_line_is_shown_where_the_last_was_just_placed():
+    hand = pen()
+    draw(hand, 3)
+    feedback = []
+    hand.gestures.feedback.listen(feedback.append)
+    hand.gestures.move(hand.at(CORNERS[2]))
+    lines = [item for item in feedback[-1].items if isinstance(item, Polyline)]
+    assert all(item.color != "hover" for item in lines)

@@ -38,7 +38,7 @@ HEADS = {
     "auto": ("Auto", "Whether the direction follows the neighboring points"),
     "weight": ("Weight", "Share of the control line in the curve"),
 }
-LEFT = ("line", "auto")  # columns that hold no numbers
+SIDES = {"line": Qt.AlignmentFlag.AlignLeft, "auto": Qt.AlignmentFlag.AlignHCenter}
 WIDEST = 104  # logical pixels of the column of names
 LISTED = 300  # control lines; a design with more lists those of the selected curves only
 EMPTY = "No control lines yet.\n\nEvery curve's control lines are listed here with their numbers."
@@ -99,8 +99,9 @@ class LinesModel(QAbstractTableModel):
                 return HEADS[self._columns[section]][0]
             if role == Role.ToolTipRole:
                 return HEADS[self._columns[section]][1]
-            if role == Role.TextAlignmentRole and self._columns[section] not in LEFT:
-                return int(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+            if role == Role.TextAlignmentRole:
+                side = SIDES.get(self._columns[section], Qt.AlignmentFlag.AlignRight)
+                return int(side | Qt.AlignmentFlag.AlignVCenter)
         return None
 
     def flags(self, index: Index) -> Qt.ItemFlag:
@@ -205,6 +206,8 @@ class LinesTable(LiveWidget):
         header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
         self.table.setHorizontalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
         self._empty = quiet(EMPTY)
+        self._empty.setProperty("panel", True)
+        self._empty.setIndent(0)
         self._empty.setContentsMargins(12, 12, 12, 12)
         self._empty.setAlignment(Qt.AlignmentFlag.AlignTop)
         self._stack = QStackedLayout(self)

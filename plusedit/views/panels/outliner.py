@@ -146,6 +146,7 @@ class Outliner(LiveWidget):
         self.list = ShapeList(desk, self.model)
         self._empty = quiet(EMPTY)
         self._empty.setProperty("panel", True)
+        self._empty.setIndent(0)
         self._empty.setContentsMargins(12, 12, 12, 12)
         self._empty.setAlignment(Qt.AlignmentFlag.AlignTop)
         self._stack = QStackedLayout(self)
