@@ -4,18 +4,24 @@ A curve is tessellated once, as finely as its own size asks for. Where the view 
 all intervals are halved until it is: a chord half as long strays a quarter as far. So panning,
 zooming and dragging meet the same few grids again and again, and with them the same matrices.
 A curve much larger than the view is tessellated for what is seen of it.
+
+What was worked out is kept with its curve, for as long as that lives: a drawing may have thousands,
+and a cache of any fixed size would forget each just before it is asked for again.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import lru_cache
 from math import ceil, floor, frexp, log
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.bases import Basis
+from plusedit.geometry.bases.bernstein import Bernstein
 from plusedit.geometry.blend import Grid
 from plusedit.geometry.curve import PlusCurve
+from plusedit.geometry.elevation import elevation
 from plusedit.geometry.tessellate import is_fine, tessellation
 from plusedit.scene.camera import PlaneCamera
 
@@ -24,6 +30,7 @@ COARSEST = 1.0 / 256.0  # of the size of a curve: how far its first chords may s
 AHEAD = 0.5  # of the tolerance: a new grid is that fine, so that it lasts through a drag
 KEPT = 0.8  # of the tolerance: where a curve is tight, half a chord strays more than a quarter
 LARGE = 4.0  # times the view: a larger curve is made fine only near what is seen
+SIMPLE = 6  # lines up to which a Bezier+ curve is judged by its standard form
 
 Window = tuple[float, float, float, float]
 """left, bottom, right, top in the world"""
@@ -44,20 +51,43 @@ class Drawn:
     """(m, 2) pixels of the view"""
 
 
-@lru_cache(maxsize=512)
+@dataclass(eq=False)
+class _Kept:
+    """What is known of one curve. It holds as long as the curve: neither ever changes."""
+
+    size: float
+    first: dict[Axes, Grid] = field(default_factory=dict)
+    samples: dict[tuple[int, Axes], tuple[Grid, Floats]] = field(default_factory=dict)
+    """by halvings; those of the last two, as a view goes to and fro"""
+    view: tuple[PlaneCamera, float] | None = None
+    shown: Drawn | None = None
+
+
+_KEPT: "WeakKeyDictionary[PlusCurve, _Kept]" = WeakKeyDictionary()
+
+
 def drawn(curve: PlusCurve, camera: PlaneCamera, tolerance: float = TOLERANCE) -> Drawn:
     """The polyline that shows `curve` in that view."""
-    size, allowed = _size(curve), tolerance / camera.scale
+    kept = _KEPT.get(curve)
+    if kept is None:
+        kept = _KEPT[curve] = _Kept(_size(curve))
+    view = (camera, tolerance)
+    if kept.shown is None or kept.view != view:
+        kept.shown, kept.view = _shown(curve, kept, camera, tolerance), view
+    return kept.shown
+
+
+def _shown(curve: PlusCurve, kept: _Kept, camera: PlaneCamera, tolerance: float) -> Drawn:
+    size, allowed = kept.size, tolerance / camera.scale
     if size * camera.scale > LARGE * max(camera.size):
         level = 2.0 ** ceil(log(camera.scale, 2.0))
         grid, points = _sampled_near(curve, tolerance / level, _window(camera, level), camera.axes)
     else:
         halvings = max(0, ceil(log(COARSEST * size / allowed, 4.0))) if size else 0
-        grid, points = _sampled(curve, halvings, camera.axes)
+        grid, points = _sampled(curve, kept, halvings, camera.axes)
     return Drawn(grid, points, camera.to_screen(points))
 
 
-@lru_cache(maxsize=1024)
 def _size(curve: PlusCurve) -> float:
     """The size of a curve, up to the next power of two: it seldom changes during a drag."""
     points = curve.lines.points
@@ -67,17 +97,50 @@ def _size(curve: PlusCurve) -> float:
     return 2.0**exponent if mantissa else 0.0
 
 
-@lru_cache(maxsize=1024)
-def _sampled(curve: PlusCurve, halvings: int, axes: Axes) -> tuple[Grid, Floats]:
+def _sampled(curve: PlusCurve, kept: _Kept, halvings: int, axes: Axes) -> tuple[Grid, Floats]:
     """The grid of a curve, halved that often, and the points there; good for any such view."""
-    grid = _halved(_first(curve, axes), halvings)
-    return grid, curve.sample(grid)
+    key = (halvings, axes)
+    found = kept.samples.get(key)
+    if found is None:
+        grid = _halved(_first(curve, kept, axes), halvings)
+        found = grid, curve.sample(grid)
+        while len(kept.samples) > 1:
+            del kept.samples[next(iter(kept.samples))]
+        kept.samples[key] = found
+    return found
 
 
-@lru_cache(maxsize=1024)
-def _first(curve: PlusCurve, axes: Axes) -> Grid:
+def _first(curve: PlusCurve, kept: _Kept, axes: Axes) -> Grid:
     """The grid that suits the size of the curve; that of the frame before, if it does."""
-    allowed = COARSEST * (_size(curve) or 1.0)
+    if axes not in kept.first:
+        allowed = COARSEST * (kept.size or 1.0)
+        kept.first[axes] = _simple(curve, KEPT * allowed) or _general(curve, allowed, axes)
+    return kept.first[axes]
+
+
+def _simple(curve: PlusCurve, tolerance: float) -> Grid | None:
+    """An even grid for a Bezier+ curve of a few lines; None for any other.
+
+    A polynomial of degree d strays from the chord of an m-th of its domain by no more than
+    d (d - 1) / (8 m^2) times the largest second difference of its Bezier points.
+    """
+    lines, basis = curve.lines, curve.basis
+    if not isinstance(basis, Bernstein) or basis.size > SIMPLE or lines.weights is not None:
+        return None
+    form = elevation(basis)
+    points = form.values @ lines.points + form.reaches @ curve.gradients
+    bends = points[2:] - 2.0 * points[1:-1] + points[:-2]
+    degree = basis.size
+    bound = degree * (degree - 1) / 8.0 * float(np.linalg.norm(bends, axis=1).max())
+    return _even(max(0, ceil(log(bound / tolerance, 4.0))) if bound > tolerance else 0)
+
+
+@lru_cache(maxsize=16)
+def _even(halvings: int) -> Grid:
+    return Grid.uniform(2**halvings + 1)
+
+
+def _general(curve: PlusCurve, allowed: float, axes: Axes) -> Grid:
     key = (curve.basis, allowed, axes)
     recent = _RECENT.get(key)
     if recent is not None and is_fine(curve, recent, KEPT * allowed, axes=axes):

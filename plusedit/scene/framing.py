@@ -14,6 +14,7 @@ from plusedit.scene.scene import scene_items
 
 MARGIN = 32.0  # pixels around what is framed
 ROUNDS = 3  # handles and names keep their size in pixels: zooming in needs room for them again
+SETTLED = 0.01  # change of the scale for which another round is not worth its time
 CHARACTER = 0.6  # of the height of a font: about the width of a letter
 
 
@@ -37,7 +38,9 @@ def framed(
     for _ in range(ROUNDS):
         items = scene_items(design, camera, options, only=chosen)
         extent = [points, *(seen for item in items for seen in _extent(item, camera))]
-        camera = camera.framing(camera.placed(np.concatenate(extent)), margin)
+        before, camera = camera, camera.framing(camera.placed(np.concatenate(extent)), margin)
+        if abs(camera.scale - before.scale) <= SETTLED * before.scale:
+            break
     return camera
 
 

@@ -15,8 +15,6 @@ from PySide6.QtGui import (
     QMouseEvent,
     QPainter,
     QPaintEvent,
-    QResizeEvent,
-    QShowEvent,
 )
 from PySide6.QtWidgets import QWidget
 
@@ -52,7 +50,7 @@ class PlaneCanvas(PlaneView):
     def __init__(self, session: Session, gestures: Gestures, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._session, self._gestures = session, gestures
-        self._options, self._theme = ViewOptions(), LIGHT.legible()
+        self._options, self._theme = ViewOptions(), LIGHT
         self._feedback = Feedback()
         self._strata = Strata()
         self._pointer: Pointer | None = None
@@ -107,7 +105,7 @@ class PlaneCanvas(PlaneView):
 
     def set_theme(self, theme: Theme) -> None:
         """Draw in those colors."""
-        self._theme = theme.legible()
+        self._theme = theme
         self.update()
 
     def set_camera(self, camera: PlaneCamera) -> None:
@@ -128,11 +126,14 @@ class PlaneCanvas(PlaneView):
     # What it shows
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        self._frame_at_first = False
+        if self._frame_at_first:
+            # Not before: until now the size may have changed many times.
+            self._navigation.go(self._framing(None))
+            self._frame_at_first = False
         look = Look(
             self.camera,
             self._options,
-            self._theme,
+            self._theme.legible(),
             self._session.selection,
             self.devicePixelRatioF(),
             draft=self._is_moving,
@@ -197,18 +198,6 @@ class PlaneCanvas(PlaneView):
         return replace(found, size=seen.size).panned((edge / 2.0, edge / 2.0))
 
     # What Qt tells
-
-    def showEvent(self, event: QShowEvent) -> None:
-        super().showEvent(event)
-        self._frame_before_first_paint()
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self._frame_before_first_paint()
-
-    def _frame_before_first_paint(self) -> None:
-        if self._frame_at_first:
-            self._navigation.go(self._framing(None))
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         super().mousePressEvent(event)

@@ -21,6 +21,7 @@ from plusedit.scene.handles import handles
 from plusedit.scene.options import ViewOptions
 from plusedit.scene.theme import DARK, LIGHT
 from plusedit.views.canvas import PlaneCanvas
+from plusedit.views.strata import Strata
 from tests.designs import BOW, WING, a_design
 
 pytestmark = pytest.mark.gui
@@ -231,11 +232,13 @@ def test_a_view_that_is_not_yet_shown_frames_the_design_when_it_is(qtbot, sessio
     qtbot.addWidget(canvas)
     canvas.frame_all()
     canvas.show()
-    qtbot.waitExposed(canvas)
-    for shape_id in session.design:
-        screen = canvas.camera.to_screen(session.design.curve(shape_id).lines.points)
-        assert (screen > 22.0).all()
-        assert (screen < (800.0, 600.0)).all()
+    points = np.concatenate([curve.lines.points[:, :2] for _, curve in session.design.curves()])
+
+    def is_all_seen():
+        screen = canvas.camera.to_screen(points)
+        return (screen > 22.0).all() and (screen < (800.0, 600.0)).all()
+
+    qtbot.waitUntil(is_all_seen)
 
 
 def test_framing_glides_to_where_the_selection_fills_the_view(qtbot, canvas, session):
@@ -374,3 +377,19 @@ def test_what_is_kept_but_not_drawn_is_noted_in_the_corner(qtbot):
 
 def test_the_view_has_a_name_for_who_can_not_see_it(canvas):
     assert canvas.accessibleName()
+
+
+def test_while_a_slow_view_moves_its_last_picture_moves_along(qtbot, canvas, monkeypatch):
+    monkeypatch.setattr("plusedit.views.strata.SLOW", 0.0)
+    canvas.repaint()
+    drawn = []
+    monkeypatch.setattr(Strata, "_draw_still", lambda *arguments: drawn.append(arguments))
+    before = canvas.grab().toImage()
+    dot = canvas.camera.to_screen(np.array([[1.0, 2.0]]))[0]
+    drawn.clear()
+    canvas.pan(40.0, 20.0)
+    after = canvas.grab().toImage()
+    assert not drawn
+    x, y = (round(value) for value in dot)
+    assert after.pixelColor(x + 40, y + 20) == before.pixelColor(x, y)
+    qtbot.waitUntil(lambda: bool(drawn))
