@@ -45,13 +45,12 @@ def make_application(arguments: list[str]) -> QApplication:
 
 
 def begin(window: "MainWindow", paths: list[Path]) -> None:
-    """Offer what a crash left behind, else open files."""
+    """Offer what a crash left behind, then open files: the first here unless that is here now."""
     from plusedit.app.autosave import has_left_behind
     from plusedit.app.flows import open_elsewhere
 
-    if has_left_behind() and window.flows.recover():
-        return
-    if paths:
-        window.files.open(paths[0])
-    for path in paths[1:]:
+    is_taken = has_left_behind() and window.flows.recover()
+    if paths and not is_taken:
+        window.files.open(paths.pop(0))
+    for path in paths:
         open_elsewhere(path)
