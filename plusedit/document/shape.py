@@ -1,5 +1,6 @@
 """A shape of a design: geometry, and what the outliner says of it."""
 
+import json
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
@@ -41,7 +42,7 @@ class Style:
 
     def __post_init__(self) -> None:
         if self.color is not None and not COLOR.fullmatch(self.color):
-            raise ValueError(f'color: expected "#rrggbb", got {self.color!r:.40}')
+            raise ValueError(f'color: expected "#rrggbb", got {json.dumps(self.color):.40}')
         if self.width is not None and not 0.0 <= self.width < inf:
             raise ValueError(f"width: expected a number of pixels, got {self.width}")
 

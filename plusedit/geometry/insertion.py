@@ -177,7 +177,7 @@ def _refined(curve: PlusCurve, basis: Basis, shares: Banded) -> PlusCurve:
     weights = None
     if old.weights is not None:
         largest = old.weights.max()
-        parts = shares.entries * (old.weights / largest)[shares.columns]
+        parts = shares.entries * old.unit_weights[shares.columns]
         weights = parts.sum(axis=1)
         shares = replace(shares, entries=parts / weights[:, None])
         weights *= largest

@@ -21,6 +21,8 @@ from plusedit.geometry.arrays import Floats, frozen, unit
 
 Flags = NDArray[np.bool_]
 
+LEAST_WEIGHT = 1e-290  # of the largest; less would be lost, and quotients of weights not be finite
+
 
 def automatic_directions(points: Floats, *, closed: bool) -> Floats:
     """(n, dim) unit directions from neighbour to neighbour; zero where the two coincide."""
@@ -140,10 +142,10 @@ class ControlLines:
 
     @cached_property
     def unit_weights(self) -> Floats:
-        """(n,) the weights divided by the largest; only their ratios matter."""
+        """(n,) the weights divided by the largest; only their ratios matter. None is zero."""
         if self.weights is None:
             return np.ones(len(self.points))
-        scaled: Floats = self.weights / self.weights.max()
+        scaled: Floats = np.maximum(self.weights / self.weights.max(), LEAST_WEIGHT)
         return scaled
 
     def with_points(self, points: Floats) -> "ControlLines":

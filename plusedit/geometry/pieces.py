@@ -21,6 +21,7 @@ from plusedit.geometry.curve import PlusCurve
 
 EVEN = 8.0  # ratio of weights up to which nothing sudden happens
 SAMPLES = 4  # to the piece: a piece is taken for a polynomial of that degree
+SMOOTH = 16  # order of closed B-splines that look like Gaussians, far wider than a piece
 HANDOVER = np.array([-40.0, -4.0, 0.0, 4.0, 40.0])  # in units of the width of the change
 
 
@@ -45,10 +46,12 @@ def pieces(curve: PlusCurve) -> Grid:
 
 
 def degree(basis: Basis) -> int:
-    """Of the polynomial pieces; four, for want of any, for other functions."""
+    """Of polynomials that do for the pieces; four, for want of any, for other functions."""
     if isinstance(basis, RationalGaussian):
         return SAMPLES
-    return basis.order if is_local(basis) else basis.size
+    if not is_local(basis):
+        return basis.size
+    return min(basis.order, SMOOTH) if basis.closed else basis.order
 
 
 def _contrast(curve: PlusCurve) -> int:

@@ -14,6 +14,7 @@ from plusedit.geometry.bases.rag import RationalGaussian
 from plusedit.geometry.blend import Grid, blend
 from plusedit.geometry.curve import PlusCurve, terms
 from plusedit.geometry.lines import ControlLines
+from plusedit.geometry.tessellate import tessellation
 from tests.geometry.curves import KINDS, bases, random_curve
 from tests.geometry.definition import definition
 
@@ -186,6 +187,15 @@ def test_only_the_ratios_of_weights_count(kind, factor):
     curve = random_curve(kind, contrast=30.0)
     scaled = replace(curve, lines=curve.lines.with_weights(factor * curve.lines.weights))
     assert_allclose(scaled.at(U), curve.at(U), atol=1e-12)
+
+
+@every_kind
+def test_weights_whose_ratio_is_no_double_leave_a_curve(kind):
+    curve = random_curve(kind)
+    weights = np.array([1e-300, 1.0, 1e100, 1e-100, 1.0, 1.0, 1e90, 1e-300])
+    unequal = replace(curve, lines=curve.lines.with_weights(weights))
+    assert np.isfinite(unequal.at(U)).all()
+    assert len(tessellation(unequal, 0.01)) > 1
 
 
 def test_three_weighted_points_draw_a_quarter_circle():

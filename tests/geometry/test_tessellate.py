@@ -199,3 +199,11 @@ def test_a_grid_without_the_knots_is_not_fine():
 def test_a_tolerance_that_is_not_positive_is_refused(tolerance):
     with pytest.raises(ValueError, match="tolerance: must be positive"):
         tessellation(random_curve("bezier"), tolerance)
+
+
+def test_a_closed_curve_of_high_order_is_smooth_and_takes_few_parameters():
+    square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]
+    curve = plane(square, basis=BSpline(4, 60, closed=True))
+    grid = tessellation(curve, 1e-4)
+    assert strays(curve, grid) <= 1e-4
+    assert len(grid) < 200

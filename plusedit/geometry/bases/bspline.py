@@ -217,4 +217,5 @@ def _check_knots(knots: tuple[float, ...], size: int, order: int) -> None:
     if len(inner) and (inner[0] <= 0.0 or inner[-1] >= 1.0):
         raise ValueError("knots: inner knots must lie between 0 and 1")
     if (times > order - 1).any():
-        raise ValueError(f"knots: {inner[times.argmax()]:g} stands more than {order - 1} times")
+        most = "once" if order == 2 else f"{order - 1} times"
+        raise ValueError(f"knots: {inner[times.argmax()]:g} stands more than {most}")
