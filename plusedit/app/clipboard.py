@@ -65,7 +65,8 @@ class Clipboard:
         step = SHIFT * self._desk.gestures.grid_step * self._times
         self._times += 1
         added = fresh(self._desk.session.committed, shapes, np.array([step, -step]))
-        self._desk.commit(AddShapes(added, name="Paste"))
+        if not self._desk.commit(AddShapes(added, name="Paste")):
+            self._desk.say(f"Pasted {counted(len(added))}.")
 
     def _text(self) -> str:
         # None while whoever owns the clipboard does not answer, whatever Qt's stubs say.

@@ -65,7 +65,7 @@ class Preferences(QDialog):
             self.family.addItem(name, key)
         self.family.setCurrentIndex(self.family.findData(curves.family))
         self.order = QLineEdit(str(curves.order))
-        self.closed = QCheckBox("closed")
+        self.closed = QCheckBox("Closed")
         self.closed.setChecked(curves.closed)
 
     def _general(self) -> QWidget:
@@ -73,7 +73,7 @@ class Preferences(QDialog):
         form = QFormLayout(page)
         form.setContentsMargins(0, 16, 0, 0)
         form.setSpacing(8)
-        form.addRow("Look", self.look)
+        form.addRow("Theme", self.look)
         form.addRow("Grid step", self.grid_step)
         form.addRow("", quiet("What points snap to and arrow keys move by."))
         form.addRow("New curves", self.family)

@@ -159,4 +159,5 @@ def bend_text(curve: PlusCurve, at: tuple[float, float], projection: Projection)
     u = nearest_parameter(curve, np.array(at), axes=axes)
     _, velocity, acceleration = curve.derivatives([u])
     bend = (curvature if curve.dimension == 2 else space_curvature)(velocity, acceleration)[0]
+    bend += 0.0  # a straight line has no "-0"
     return f"u {u:.4f}   κ {bend:.4g}" if isfinite(bend) else f"u {u:.4f}   κ –"

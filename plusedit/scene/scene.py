@@ -25,6 +25,7 @@ from plusedit.scene.options import ViewOptions
 from plusedit.scene.overlays import in_order
 
 WIDTH = 2.0  # of a curve whose style says nothing
+THINNEST = 1.0  # pixels
 HALO = 6.0  # pixels by which the glow of a selected curve is wider than the curve
 DIM = "@45"  # locked shapes
 
@@ -116,7 +117,8 @@ def _curve(
     shape: Shape, curve: PlusCurve, camera: PlaneCamera, selected: bool, glow: bool
 ) -> Iterator[Item]:
     points = drawn(curve, camera).points
-    width = WIDTH if shape.style.width is None else shape.style.width
+    # Thinner than a pixel, a curve would be fainter than its ghost and its polygon.
+    width = WIDTH if shape.style.width is None else max(shape.style.width, THINNEST)
     if selected and glow:
         yield Polyline(points, "selected@28", width + HALO)
     color = shape.style.color or "plus"

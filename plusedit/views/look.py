@@ -137,7 +137,7 @@ QMenu::indicator { width: 16px; height: 16px; margin-left: 6px; }
 QMenu::indicator:checked { image: @tick; }
 QToolBar { background: @window; border: none; border-bottom: 1px solid @border;
     padding: 4px 8px; spacing: 4px; }
-QToolBar#magnitude { border-bottom: none; border-top: 1px solid @border; padding: 0; spacing: 0; }
+QToolBar#magnitude { border-bottom: none; border-top: 1px solid @border; }
 QToolBar::separator { background: @border; width: 1px; margin: 6px 4px; }
 QToolButton { border: none; border-radius: 6px; padding: 4px; background: transparent; }
 QToolButton:hover { background: @softer; }

@@ -90,3 +90,9 @@ def test_copying_nothing_leaves_the_clipboard_as_it_was(filled):
     filled.session.select(Selection())
     assert not filled.clipboard.copy()
     assert QGuiApplication.clipboard().text() == "precious"
+
+
+def test_pasting_says_how_many_shapes_came(filled):
+    filled.clipboard.copy()
+    filled.clipboard.paste()
+    assert filled.status.text.text() == "Pasted 1 shape."

@@ -219,14 +219,20 @@ def test_sizes_that_make_no_picture_are_refused(qtbot):
 
 
 @pytest.mark.parametrize(("how", "count"), [("segments", 2), ("paths", 1), ("fitted", 1)])
-def test_a_drawing_is_imported_in_one_step(edited, drawing, how, count):
+def test_a_drawing_is_imported_in_one_step(qtbot, edited, drawing, how, count):
     before = edited.session.design
     edited.flows.add_drawing(drawing, Reading(how, 0.001))
     assert len(edited.session.design) == len(before) + count
     assert len(edited.session.selection.shapes) == count
     chosen = [edited.session.design.curve(i) for i in edited.session.selection.shapes]
-    seen = edited.canvas.camera.to_screen(np.concatenate([c.lines.points for c in chosen]))
-    assert ((seen > 0.0) & (seen < edited.canvas.camera.size)).all(), "the view goes to them"
+    points = np.concatenate([curve.lines.points for curve in chosen])
+
+    def is_in_sight():
+        camera = edited.canvas.camera
+        seen = camera.to_screen(points)
+        return bool(((seen > 0.0) & (seen < camera.size)).all())
+
+    qtbot.waitUntil(is_in_sight)
     edited.session.undo()
     assert edited.session.design is before
 

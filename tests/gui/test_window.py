@@ -279,3 +279,11 @@ def test_a_long_label_leaves_the_menu_its_width(filled):
     assert text.startswith("Undo Rename")
     assert text.endswith("…")
     assert len(text) < 60
+
+
+def test_another_theme_moves_nothing(filled, qtbot):
+    filled.view.set_look("light")
+    before = {w: (w.pos(), w.size()) for w in (filled.canvas, filled.magnitude, filled.status)}
+    filled.view.set_look("dark")
+    QApplication.processEvents()
+    assert {w: (w.pos(), w.size()) for w in before} == before

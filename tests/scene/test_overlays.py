@@ -7,7 +7,10 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from plusedit.document.shape import Shape
+from plusedit.geometry.bases.bernstein import Bernstein
+from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.hulls import convex_hull
+from plusedit.geometry.lines import ControlLines
 from plusedit.scene.camera import PlaneCamera
 from plusedit.scene.items import Label, Markers, Polygon, Polyline
 from plusedit.scene.overlays import overlays
@@ -29,6 +32,12 @@ def test_the_classical_curve_is_that_of_the_points_alone():
 
 def test_the_classical_curve_is_not_drawn_where_it_is_the_curve_itself():
     assert not drawn("classical", random_curve("bspline", s=0.0), Polyline)
+
+
+@pytest.mark.parametrize(("given", "count"), [(None, 0), ([[0.0, 1.0], [0.0, 1.0]], 1)])
+def test_a_straight_stroke_has_no_classical_curve_beside_it(given, count):
+    lines = ControlLines.of([[0.0, 0.0], [2.0, 1.0]], given)
+    assert len(drawn("classical", PlusCurve(Bernstein(2), lines, 1.0), Polyline)) == count
 
 
 @pytest.mark.parametrize(("kind", "count"), [("bspline", 8), ("closed", 9)])
