@@ -53,4 +53,5 @@ def begin(window: "MainWindow", paths: list[Path]) -> None:
     if paths and not is_taken:
         window.files.open(paths.pop(0))
     for path in paths:
-        open_elsewhere(path)
+        if path.absolute() != window.files.path:
+            open_elsewhere(path)
