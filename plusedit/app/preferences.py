@@ -99,6 +99,7 @@ class Preferences(QDialog):
         self._settings.new_curves = NewCurves(
             str(self.family.currentData()), round(order), self.closed.isChecked()
         )
+        self.shortcuts.settle()
         self._settings.shortcuts = self.shortcuts.changed()
         self._settings.sync()
         self.accept()

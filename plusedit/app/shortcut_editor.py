@@ -48,7 +48,7 @@ class ShortcutEditor(QWidget):
         self.keys.keySequenceChanged.connect(self._warn)
         self._set = QPushButton("Set")
         self._set.clicked.connect(lambda: self.assign(self.keys.keySequence()))
-        usual, all_usual = QPushButton("Usual"), QPushButton("Reset all")
+        usual, all_usual = QPushButton("Reset"), QPushButton("Reset all")
         usual.clicked.connect(self._reset_one)
         all_usual.clicked.connect(self.reset)
         self.remark = quiet("Choose an action, then press the new keys.")
@@ -81,6 +81,12 @@ class ShortcutEditor(QWidget):
         self.chosen[name] = [text] if text else []
         self._fill_keys()
         self._show_current()
+
+    def settle(self) -> None:
+        """Take keys that were pressed and not set yet: whoever pressed them means them."""
+        name, keys = self.current(), self.keys.keySequence()
+        if name is not None and keys.toString() != next(iter(self.chosen[name]), ""):
+            self.assign(keys)
 
     def reset(self) -> None:
         """Every action has its usual shortcuts again."""

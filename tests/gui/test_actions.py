@@ -168,3 +168,11 @@ def test_help_shows_the_keys_as_they_are_now(window, table):
     window.side.show_help()
     assert "plus curve" in window.side.help.page.toPlainText()
     window.side.help.close()
+
+
+def test_keys_that_were_pressed_and_not_set_are_taken_with_ok(window, preferences):
+    editor = preferences.shortcuts
+    select(editor, "tool.pen")
+    editor.keys.setKeySequence(QKeySequence("F7"))
+    preferences._take()
+    assert window.settings.shortcuts == {"tool.pen": ["F7"]}
