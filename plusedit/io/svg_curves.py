@@ -29,7 +29,7 @@ How: TypeAlias = Literal["segments", "paths", "fitted"]
 
 NEGLIGIBLE = 1e-12  # of the largest coordinate: a piece shorter than that is a point
 CLOSES = 1e-9  # of the size: an end nearer to the start has reached it
-SAMPLES = 24  # of each piece, for fitting
+SAMPLES = 48  # of each piece, for fitting; between few the curve would be free to stray
 CORNER = np.cos(np.radians(3.0))  # tangents that turn by more at a joint make a corner
 
 
@@ -88,9 +88,8 @@ def fitted(outline: Outline, tolerance: float) -> Made:
         points = points[:-1]
         if not _is_smooth(pieces[-1], pieces[0]):
             corners.append(0)
-    fit = fit_bspline_plus(
-        points, tolerance=tolerance * size_of(outline), closed=goes_round, corners=corners
-    )
+    size = float(np.ptp(points, axis=0).max())
+    fit = fit_bspline_plus(points, tolerance=tolerance * size, closed=goes_round, corners=corners)
     return Made(fit.curve, fit.largest)
 
 

@@ -382,6 +382,23 @@ def test_a_fitted_path_is_met_within_the_tolerance_and_keeps_its_corners(data, c
     assert any("fitted within" in note for note in loaded.notes)
 
 
+@pytest.mark.parametrize(
+    "data",
+    [
+        # After a corner, and fast: the farthest that few samples lie from each other.
+        "M 50 40 q 10 20 20 0 t 20 0 Q 10 80 20 60 T 60 60 L 70 90 l -10 0 Z",
+        # Its control points reach far beyond the curve.
+        "M -50 50 C -20 -80 20 80 50 -50",
+    ],
+)
+def test_a_fitted_curve_does_not_stray_from_its_path(data):
+    exact = np.vstack([s.curve.at(np.linspace(0, 1, 9999)) for s in shapes(f'<path d="{data}"/>')])
+    (curve,) = curves_of(read(f'<path d="{data}"/>', how="fitted", tolerance=1e-3).design)
+    near = curve.at(np.linspace(0.0, 1.0, 1001))
+    gaps = np.array([np.linalg.norm(exact - point, axis=1).min() for point in near])
+    assert gaps.max() < 1.1e-3 * np.ptp(exact, axis=0).max()
+
+
 def test_a_looser_fit_needs_fewer_lines():
     data = '<path d="M 0 0 C 10 30 40 -20 50 0 S 80 30 90 0 S 20 90 0 50"/>'
     tight, loose = (only(data, how="fitted", tolerance=t).curve for t in (1e-5, 1e-2))
