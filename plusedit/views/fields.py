@@ -3,8 +3,8 @@
 from collections.abc import Callable
 from typing import Generic, TypeVar
 
-from PySide6.QtCore import QPoint, QSignalBlocker, Qt
-from PySide6.QtGui import QFocusEvent, QKeyEvent, QWheelEvent
+from PySide6.QtCore import QEvent, QPoint, QSignalBlocker, Qt
+from PySide6.QtGui import QFocusEvent, QKeyEvent, QKeySequence, QWheelEvent
 from PySide6.QtWidgets import QComboBox, QLineEdit, QToolTip, QWidget
 
 from plusedit.views.arithmetic import calculated, written
@@ -13,6 +13,7 @@ from plusedit.views.look import tabular
 T = TypeVar("T")
 
 MIXED = "mixed"  # shown where the selected things differ
+STEPPING = (QKeySequence.StandardKey.Undo, QKeySequence.StandardKey.Redo)
 STEPS = {Qt.Key.Key_Up: 1, Qt.Key.Key_Down: -1}
 
 
@@ -49,6 +50,18 @@ class Field(QLineEdit, Generic[T]):
         self._shown = shown
         if not is_typing:
             self._revert()
+
+    def event(self, event: QEvent) -> bool:
+        # With nothing being typed, undo and redo mean the design.
+        if (
+            isinstance(event, QKeyEvent)
+            and event.type() == QEvent.Type.ShortcutOverride
+            and not self.isModified()
+            and any(event.matches(keys) for keys in STEPPING)
+        ):
+            event.ignore()
+            return False
+        return super().event(event)
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
         if event.reason() != Qt.FocusReason.PopupFocusReason:

@@ -1,8 +1,9 @@
 """Where keys go: a field that was typed into keeps them, whatever changes around it."""
 
 import pytest
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QLineEdit
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QApplication, QLineEdit
 
 from plusedit.document.selection import LineId
 from tests.designs import WING, a_design
@@ -42,3 +43,21 @@ def test_the_slider_keeps_the_focus_while_keys_move_it(qtbot, filled):
     qtbot.keyClick(slider, Qt.Key.Key_Right)
     slider.finish()
     assert filled.focusWidget() is slider
+
+
+def overrides(field, key):
+    """Whether the field keeps Ctrl and that key from the shortcuts of the window."""
+    event = QKeyEvent(QEvent.Type.ShortcutOverride, key, Qt.KeyboardModifier.ControlModifier)
+    event.ignore()
+    QApplication.sendEvent(field, event)
+    return event.isAccepted()
+
+
+def test_undo_in_a_field_means_the_design_unless_something_is_being_typed(qtbot, filled):
+    field = named(filled.docks.widget("inspector"), "x", QLineEdit)
+    type_into(qtbot, field, "3.5")
+    assert not overrides(field, Qt.Key.Key_Z)
+    assert not overrides(field, Qt.Key.Key_Y)
+    qtbot.keyClicks(field, "7")
+    assert overrides(field, Qt.Key.Key_Z)
+    assert overrides(field, Qt.Key.Key_A)
