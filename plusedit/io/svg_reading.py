@@ -120,7 +120,7 @@ class _Reading:
             what = "Paths were fitted" if self.how == "fitted" else "Arcs beside cubics were taken"
             yield f"{what} within {self._miss:.1g} of the size of each path."
         if self._points:
-            yield f"{_plural(self._points, 'piece')} of no length left out."
+            yield f"{_plural(self._points, 'piece', 'of no length')} left out."
         if self._hidden:
             yield f"{_plural(self._hidden, 'curve')} hidden: nothing of it shows in the drawing."
 
@@ -138,6 +138,8 @@ def _told(problems: list[str]) -> Iterator[str]:
         yield f"{_plural(len(problems) - MOST_PROBLEMS, 'more problem')} of that kind found."
 
 
-def _plural(count: int, what: str) -> str:
-    """Such as "1 text was" or "3 texts were"."""
-    return f"{count} {what} was" if count == 1 else f"{count} {what}s were"
+def _plural(count: int, what: str, more: str = "") -> str:
+    """Such as "1 text was", "3 texts were", "2 clip paths or masks were", "2 pieces of it were"."""
+    if count != 1:
+        what = f"{what}s".replace(" or ", "s or ")
+    return " ".join(filter(None, [str(count), what, more, "was" if count == 1 else "were"]))

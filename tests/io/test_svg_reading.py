@@ -403,3 +403,10 @@ def test_a_looser_fit_needs_fewer_lines():
     data = '<path d="M 0 0 C 10 30 40 -20 50 0 S 80 30 90 0 S 20 90 0 50"/>'
     tight, loose = (only(data, how="fitted", tolerance=t).curve for t in (1e-5, 1e-2))
     assert len(loose.lines) < len(tight.lines)
+
+
+def test_what_is_missing_is_counted_in_sentences():
+    clipped = '<path d="M0 0L5 5l0 0l0 0l3 0" clip-path="url(#c)"/>'
+    loaded = read(f'<clipPath id="c"/>{clipped}{clipped}')
+    assert "4 pieces of no length were left out." in loaded.notes
+    assert "2 clip paths or masks were left out." in loaded.notes
