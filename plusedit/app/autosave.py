@@ -171,7 +171,17 @@ def left_behind(place: Path | None = None) -> list[Left]:
         except (OSError, ValueError, TypeError, AttributeError) as error:
             log.warning("recovery: %s can't be read: %s", file.name, error)
             lock.unlock()
+    _sweep(place or folder())
     return sorted(found, key=lambda left: -left.time)
+
+
+def _sweep(place: Path) -> None:
+    """Take away the locks of programs that died with nothing unsaved."""
+    for file in place.glob(f"*{SUFFIX}.lock"):
+        kept = file.with_suffix("")
+        lock = lock_of(kept)
+        if not kept.exists() and lock.tryLock(0):
+            lock.unlock()
 
 
 def _read(file: Path, lock: QLockFile) -> Left:

@@ -100,9 +100,13 @@ class Field(QLineEdit, Generic[T]):
         QToolTip.showText(self.mapToGlobal(QPoint(0, self.height())), reason, self)
 
     def _revert(self) -> None:
+        # What is selected as a whole stays so: the next number typed replaces this one.
+        is_chosen = self.hasSelectedText() and self.selectedText() == self.text()
         with QSignalBlocker(self):
             self.setText(self._shown)
             self.setCursorPosition(0)
+            if is_chosen:
+                self.selectAll()
         self.setModified(False)
 
 

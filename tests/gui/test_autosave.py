@@ -6,6 +6,7 @@ import subprocess
 import sys
 import time
 from pathlib import Path
+from socket import gethostname
 
 import pytest
 
@@ -218,3 +219,14 @@ def test_a_killed_program_leaves_its_design_to_the_next(window, place):
     assert window.flows.recover(place)
     assert window.session.design.curve(WING).s == 4.5
     assert window.files.name == "Untitled"
+
+
+def test_a_lock_without_a_design_is_swept_away_once_its_owner_is_dead(tmp_path):
+    orphan = tmp_path / "1-a.autosave.lock"
+    orphan.write_text(f"999999999\nplusedit\n{gethostname()}\n")
+    mine = lock_of(tmp_path / "2-b.autosave")
+    assert mine.tryLock(0)
+    assert left_behind(tmp_path) == []
+    assert not orphan.exists()
+    assert (tmp_path / "2-b.autosave.lock").exists()
+    mine.unlock()

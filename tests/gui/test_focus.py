@@ -61,3 +61,12 @@ def test_undo_in_a_field_means_the_design_unless_something_is_being_typed(qtbot,
     qtbot.keyClicks(field, "7")
     assert overrides(field, Qt.Key.Key_Z)
     assert overrides(field, Qt.Key.Key_A)
+
+
+def test_the_next_number_replaces_the_one_just_taken(qtbot, filled):
+    inspector = filled.docks.widget("inspector")
+    field = named(inspector, "x", QLineEdit)
+    type_into(qtbot, field, "3.50")
+    inspector.refresh()
+    qtbot.keyClicks(field, "8")
+    assert field.text() == "8"
