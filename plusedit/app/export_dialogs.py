@@ -99,8 +99,9 @@ class PictureDialog(_Question):
         super().__init__(parent, "Export picture", "Export…")
         self.width_field, self.height_field = QLineEdit(str(size[0])), QLineEdit(str(size[1]))
         self.theme = QComboBox()
-        self.theme.addItems(["light", "dark"])
-        self.theme.setCurrentText(theme)
+        for name in ("light", "dark"):
+            self.theme.addItem(name.capitalize(), name)
+        self.theme.setCurrentIndex(self.theme.findData(theme))
         self.transparent = QCheckBox("Transparent background")
         self.form.addRow("Width, pixels", self.width_field)
         self.form.addRow("Height, pixels", self.height_field)
@@ -109,7 +110,7 @@ class PictureDialog(_Question):
 
     def read(self) -> Picture:
         size = (side(self.width_field.text()), side(self.height_field.text()))
-        return Picture(size, self.theme.currentText(), self.transparent.isChecked())
+        return Picture(size, str(self.theme.currentData()), self.transparent.isChecked())
 
 
 class ReadingDialog(_Question):

@@ -19,6 +19,7 @@ from plusedit.app.actions import ActionTable, Entry
 Index = QModelIndex | QPersistentModelIndex
 
 WIDTH, ROWS, ROW = 520, 10, 32  # logical pixels, but for ROWS
+FOREIGN, SPREAD = 6.0, 7.0  # scores: lost by a fit of the menu's name; from the best to the last
 NAVIGATING = (Qt.Key.Key_Up, Qt.Key.Key_Down, Qt.Key.Key_PageUp, Qt.Key.Key_PageDown)
 NAME = Qt.ItemDataRole.UserRole
 KEYS = Qt.ItemDataRole.UserRole + 1
@@ -140,10 +141,13 @@ class Palette(QDialog):
             title = title_of(entry)
             points = score(typed, title) if typed.strip() else -float(place)
             if points is None and (inside := score(typed, f"{entry.menu} {title}")) is not None:
-                points = inside - 10.0
+                points = inside - FOREIGN
             if points is not None:
                 found.append((points, entry.name, title, entry.menu.split("/")[0]))
-        for _, name, title, menu in sorted(found, key=lambda each: -each[0]):
+        best = max((points for points, *_ in found), default=0.0)
+        for points, name, title, menu in sorted(found, key=lambda each: -each[0]):
+            if typed.strip() and points < best - SPREAD:
+                break  # letters that happen to be somewhere in it
             item = QListWidgetItem(title)
             item.setData(NAME, name)
             item.setData(KEYS, self._table.keys_text(name))

@@ -176,3 +176,13 @@ def test_keys_that_were_pressed_and_not_set_are_taken_with_ok(window, preference
     editor.keys.setKeySequence(QKeySequence("F7"))
     preferences._take()
     assert window.settings.shortcuts == {"tool.pen": ["F7"]}
+
+
+def test_the_palette_leaves_out_what_fits_by_chance(table, window):
+    window.side.show_palette()
+    palette = window.side.palette
+    palette.look_for("clos")
+    titles = [palette.list.item(row).text() for row in range(palette.list.count())]
+    assert titles[0].startswith("Close")
+    assert "Control lines: Of selected curves" in titles, "its words begin with these letters"
+    assert "Family: Rational Gaussian" not in titles
