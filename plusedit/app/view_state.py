@@ -1,5 +1,6 @@
 """What is shown and how: switches, projection and theme, kept with designs and in settings."""
 
+from collections.abc import Callable
 from dataclasses import replace
 
 from PySide6.QtWidgets import QApplication
@@ -23,7 +24,7 @@ class ViewState:
         self.changed: Event[()] = Event()
         self._desk, self._canvas, self._settings = desk, canvas, settings
         canvas.camera_changed.connect(self._keep_step)
-        self.set_options(options_of(settings.view))  # type: ignore[arg-type]
+        canvas.set_options(self._own())
 
     @property
     def options(self) -> ViewOptions:
@@ -35,24 +36,33 @@ class ViewState:
         """Along which axis the view looks."""
         return self._canvas.camera.projection
 
-    def set_options(self, options: ViewOptions) -> None:
-        """Show that, and begin with it the next time."""
-        self._canvas.set_options(options)
-        self._settings.view = view_tree(options, old=NOTHING)
-        self.changed.emit()
-
     def toggle_overlay(self, name: str) -> None:
         """Switch an overlay on or off."""
-        self.set_options(self.options.toggled(name))
+        is_on = name not in self.options.overlays
+        self._switch(lambda options: options.with_overlay(name, is_on))
 
     def toggle(self, name: str) -> None:
         """Switch "grid", "rulers" or "snap" on or off."""
         value = not getattr(self.options, name)
-        self.set_options(replace(self.options, **{name: value}))  # type: ignore[arg-type]
+        self._switch(lambda options: replace(options, **{name: value}))  # type: ignore[arg-type]
 
     def set_handles(self, handles: Handles) -> None:
         """Choose whose control lines are shown."""
-        self.set_options(replace(self.options, handles=handles))
+        self._switch(lambda options: replace(options, handles=handles))
+
+    def _switch(self, change: Callable[[ViewOptions], ViewOptions]) -> None:
+        """Change what is shown now, and what designs begin with that say nothing of it.
+
+        Not the one into the other: else the switches of a design that was only looked at would
+        stay for all others.
+        """
+        self._canvas.set_options(change(self.options))
+        self._settings.view = view_tree(change(self._own()), old=NOTHING)
+        self.changed.emit()
+
+    def _own(self) -> ViewOptions:
+        """The person's own switches."""
+        return options_of(self._settings.view)  # type: ignore[arg-type]
 
     def set_projection(self, projection: Projection) -> None:
         """Look along another axis."""
@@ -73,9 +83,8 @@ class ViewState:
         return replace(design, view=tree)
 
     def show_design(self, design: Design) -> None:
-        """Set the view up as the design says; an untitled one leaves the switches as they are."""
-        if design.view:
-            self._canvas.set_options(options_of(design.view))
+        """Set the view up as the design says; as the person likes it where it says nothing."""
+        self._canvas.set_options(options_of(design.view) if design.view else self._own())
         camera = camera_of(design.view, self._canvas.camera.size)
         if camera is not None:
             self._canvas.set_camera(camera)

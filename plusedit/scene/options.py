@@ -1,7 +1,7 @@
 """What a view shows: overlays switched on, whose control lines, and how a design keeps that."""
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import isfinite
 from typing import Literal, TypeAlias, cast, get_args
 
@@ -27,11 +27,10 @@ class ViewOptions:
     snap: bool = False
     """whether points snap to the grid without Ctrl (Ctrl then frees them)"""
 
-    def toggled(self, overlay: str) -> "ViewOptions":
-        """With that overlay switched on, or off if it was on."""
-        return ViewOptions(
-            self.overlays ^ {overlay}, self.handles, self.grid, self.rulers, self.snap
-        )
+    def with_overlay(self, name: str, is_on: bool) -> "ViewOptions":
+        """With that overlay switched on or off."""
+        overlays = self.overlays | {name} if is_on else self.overlays - {name}
+        return replace(self, overlays=overlays)
 
 
 USUAL = ViewOptions()

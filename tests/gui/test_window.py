@@ -1,5 +1,7 @@
 """The window as a whole: parts, keys, themes, what it remembers."""
 
+from dataclasses import replace
+
 import pytest
 from PySide6.QtCore import QByteArray, QEvent, QPointF, Qt
 from PySide6.QtGui import QEnterEvent, QPalette
@@ -287,3 +289,13 @@ def test_another_theme_moves_nothing(filled, qtbot):
     filled.view.set_look("dark")
     QApplication.processEvents()
     assert {w: (w.pos(), w.size()) for w in before} == before
+
+
+def test_a_design_that_says_nothing_of_its_view_is_shown_as_the_person_likes_it(window):
+    names = {"overlays": ["names"], "grid": False}
+    own = window.view.options
+    window.files.show(replace(a_design(), view=names), None)
+    assert window.view.options.overlays == {"names"}
+    window.view.toggle("rulers")
+    window.files.show(a_design(), None)
+    assert window.view.options == replace(own, rulers=not own.rulers)

@@ -62,6 +62,6 @@ def test_a_camera_that_makes_no_sense_is_none():
 
 
 def test_an_overlay_is_switched_on_and_off():
-    on = ViewOptions().toggled("hulls")
+    on = ViewOptions().with_overlay("hulls", True)
     assert "hulls" in on.overlays
-    assert on.toggled("hulls") == ViewOptions()
+    assert on.with_overlay("hulls", False) == ViewOptions()
