@@ -44,6 +44,7 @@ from plusedit.interaction.gesture import Gestures
 from plusedit.scene.camera import PlaneCamera
 from plusedit.views.canvas import PlaneCanvas
 from plusedit.views.desk import Desk
+from plusedit.views.fields import Field
 from plusedit.views.icons import refresh_icons
 from plusedit.views.magnitude_bar import MagnitudeBar
 
@@ -249,7 +250,8 @@ class MainWindow(QMainWindow):
         if watched is self.canvas and event.type() == QEvent.Type.Enter:
             # Keys go where the pointer is, unless something is being typed elsewhere.
             focus = QApplication.focusWidget()
-            is_typing = isinstance(focus, TYPED_INTO)
+            is_done = isinstance(focus, Field) and focus.is_done
+            is_typing = isinstance(focus, TYPED_INTO) and not is_done
             if focus is not None and focus.window() is self and not is_typing:
                 self.canvas.setFocus(Qt.FocusReason.MouseFocusReason)
         return super().eventFilter(watched, event)

@@ -37,7 +37,10 @@ class Field(QLineEdit, Generic[T]):
         self._read, self._write, self._apply = read, write, apply
         self._shown = ""
         self.value: T | None = None
-        self.returnPressed.connect(self._finish)
+        self.is_done = False
+        """whether Enter took what was typed, and nothing has been typed since"""
+        self.returnPressed.connect(self._enter)
+        self.textEdited.connect(lambda _: self._begin())
 
     def show_value(self, value: T | None, *, mixed: str = MIXED) -> None:
         """Show `value`, or the placeholder `mixed` for None; what is being typed stays."""
@@ -63,6 +66,10 @@ class Field(QLineEdit, Generic[T]):
             return False
         return super().event(event)
 
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        self._begin()
+        super().focusInEvent(event)
+
     def focusOutEvent(self, event: QFocusEvent) -> None:
         if event.reason() != Qt.FocusReason.PopupFocusReason:
             self._finish()
@@ -74,6 +81,13 @@ class Field(QLineEdit, Generic[T]):
             self.selectAll()
             return
         super().keyPressEvent(event)
+
+    def _begin(self) -> None:
+        self.is_done = False
+
+    def _enter(self) -> None:
+        self._finish()
+        self.is_done = True
 
     def _finish(self) -> None:
         """Take what was typed, if anything was."""

@@ -1,8 +1,8 @@
 """Where keys go: a field that was typed into keeps them, whatever changes around it."""
 
 import pytest
-from PySide6.QtCore import QEvent, Qt
-from PySide6.QtGui import QKeyEvent
+from PySide6.QtCore import QEvent, QPointF, Qt
+from PySide6.QtGui import QEnterEvent, QKeyEvent
 from PySide6.QtWidgets import QApplication, QLineEdit
 
 from plusedit.document.selection import LineId
@@ -70,3 +70,20 @@ def test_the_next_number_replaces_the_one_just_taken(qtbot, filled):
     inspector.refresh()
     qtbot.keyClicks(field, "8")
     assert field.text() == "8"
+
+
+def enter(window):
+    at = QPointF(20.0, 20.0)
+    QApplication.sendEvent(window.canvas, QEnterEvent(at, at, at))
+
+
+def test_the_pointer_takes_the_keys_from_a_field_once_its_number_was_taken(qtbot, filled):
+    filled.activateWindow()
+    qtbot.waitUntil(filled.isActiveWindow)
+    field = named(filled.docks.widget("inspector"), "x", QLineEdit)
+    field.setFocus()
+    enter(filled)
+    assert filled.focusWidget() is field, "about to be typed into"
+    type_into(qtbot, field, "3.5")
+    enter(filled)
+    assert filled.focusWidget() is filled.canvas
