@@ -25,7 +25,7 @@ class Clipboard:
 
     def __init__(self, desk: Desk) -> None:
         self._desk = desk
-        self._pasted = ""
+        self._pasted = self._copied = ""
         self._times = 0
 
     def copy(self) -> bool:
@@ -41,7 +41,7 @@ class Clipboard:
         data.setText(text)
         data.setData(KIND, text.encode())
         QGuiApplication.clipboard().setMimeData(data)
-        self._pasted, self._times = text, 1
+        self._pasted, self._times, self._copied = text, 1, text
         self._desk.say(f"Copied {counted(len(shapes))}.")
         return True
 
@@ -67,6 +67,14 @@ class Clipboard:
         added = fresh(self._desk.session.committed, shapes, np.array([step, -step]))
         if not self._desk.commit(AddShapes(added, name="Paste")):
             self._desk.say(f"Pasted {counted(len(added))}.")
+
+    def leave(self) -> None:
+        """Leave what was copied as plain text: the program is about to end.
+
+        Data made in Python would be taken down by Qt after Python itself, which ends in a crash.
+        """
+        if self._copied and self._text() == self._copied:
+            QGuiApplication.clipboard().setText(self._copied)
 
     def _text(self) -> str:
         # None while whoever owns the clipboard does not answer, whatever Qt's stubs say.

@@ -283,6 +283,7 @@ class MainWindow(QMainWindow):
         self.settings.keep_bytes("state", self.docks.state())
         self.settings.sync()
         self.autosave.close()
+        self.clipboard.leave()
         event.accept()
 
 

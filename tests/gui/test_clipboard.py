@@ -96,3 +96,13 @@ def test_pasting_says_how_many_shapes_came(filled):
     filled.clipboard.copy()
     filled.clipboard.paste()
     assert filled.status.text.text() == "Pasted 1 shape."
+
+
+def test_what_was_copied_outlives_the_window_as_text(filled):
+    filled.clipboard.copy()
+    text = QGuiApplication.clipboard().text()
+    filled.session.mark_saved()
+    assert filled.close()
+    data = QGuiApplication.clipboard().mimeData()
+    assert data.text() == text
+    assert not data.hasFormat(KIND)
