@@ -39,11 +39,6 @@ class Piece:
         """Whether it is rational: an arc of an ellipse."""
         return self.weight != 1.0
 
-    @property
-    def is_point(self) -> bool:
-        """Whether all its points are the same, so that nothing is drawn."""
-        return bool((self.points == self.points[0]).all())
-
     def mapped(self, matrix: Floats) -> "Piece":
         """The piece under an affine map (2, 3)."""
         return replace(self, points=self.points @ matrix[:, :2].T + matrix[:, 2])
