@@ -8,8 +8,9 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from types import MappingProxyType
 
-from plusedit.document.shape import NOTHING, Shape, ShapeId, Tree
+from plusedit.document.shape import NOTHING, PlusGeometry, Shape, ShapeId, Tree
 from plusedit.geometry.curve import PlusCurve
+from plusedit.geometry.surface import PlusSurface
 
 
 class EditError(ValueError):
@@ -52,11 +53,37 @@ class Design:
             raise EditError(f"{self[shape_id].name} is not a curve")
         return curve
 
+    def surface(self, shape_id: ShapeId) -> PlusSurface:
+        """The surface of that shape. EditError if there is none."""
+        surface = self[shape_id].surface
+        if surface is None:
+            raise EditError(f"{self[shape_id].name} is not a surface")
+        return surface
+
+    def plus(self, shape_id: ShapeId) -> PlusGeometry:
+        """The curve or surface of that shape. EditError if there is none."""
+        geometry = self[shape_id].plus
+        if geometry is None:
+            raise EditError(f"{self[shape_id].name} can't be edited")
+        return geometry
+
     def curves(self) -> Iterator[tuple[ShapeId, PlusCurve]]:
         """Every curve with its id, back to front."""
         for shape_id, shape in self.shapes.items():
             if shape.curve is not None:
                 yield shape_id, shape.curve
+
+    def surfaces(self) -> Iterator[tuple[ShapeId, PlusSurface]]:
+        """Every surface with its id, back to front."""
+        for shape_id, shape in self.shapes.items():
+            if shape.surface is not None:
+                yield shape_id, shape.surface
+
+    def drawn(self) -> Iterator[tuple[ShapeId, PlusGeometry]]:
+        """Every curve and surface with its id, back to front."""
+        for shape_id, shape in self.shapes.items():
+            if shape.plus is not None:
+                yield shape_id, shape.plus
 
     def with_shape(self, shape_id: ShapeId, shape: Shape) -> "Design":
         """The design with that shape in place of the one of that id, or in front of all."""

@@ -7,7 +7,7 @@ from plusedit.document.design import Design
 from plusedit.document.shape import Shape
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.curve import PlusCurve
-from plusedit.geometry.lines import Flags
+from plusedit.geometry.net import Flags
 
 BUDGET = 512 * 2**20  # bytes that old designs may hold before the oldest are forgotten
 SMALL = 2000  # bytes that any shape takes besides its arrays, roughly
@@ -110,7 +110,7 @@ def _bytes_not_shared(old: Design, new: Design) -> int:
 
 def _arrays(shape: Shape | None) -> Iterator[Floats | Flags]:
     if shape is not None and isinstance(shape.geometry, PlusCurve):
-        lines = shape.geometry.lines
-        yield from (lines.points, lines.given, lines.automatic)
-        if lines.weights is not None:
-            yield lines.weights
+        net = shape.geometry.net
+        yield from (net.control_points, net.given_vectors, net.automatic_vectors)
+        if net.weight_row is not None:
+            yield net.weight_row

@@ -1,4 +1,4 @@
-"""What is selected: shapes, and control lines of them. Not a part of the design."""
+"""What is selected: shapes, and control lines or planes of them. Not a part of the design."""
 
 from collections import defaultdict
 from collections.abc import Iterable, Mapping
@@ -10,11 +10,11 @@ from plusedit.document.shape import ShapeId
 
 
 class LineId(NamedTuple):
-    """A control line by the id of its shape and its number there."""
+    """A control line, or a control plane, by the id of its shape and its number there."""
 
     shape: ShapeId
     number: int
-    """counted from 0"""
+    """counted from 0; plane (i, j) of a surface has the number i * n_v + j"""
 
 
 @dataclass(frozen=True)
@@ -80,9 +80,9 @@ class Selection:
         lines = self.by_shape()
         found: dict[ShapeId, tuple[int, ...]] = {}
         for shape_id in design:
-            curve = design[shape_id].curve
-            if shape_id in self.shapes and curve is not None and design[shape_id].editable:
-                found[shape_id] = lines.get(shape_id, tuple(range(len(curve.lines))))
+            geometry = design[shape_id].plus
+            if shape_id in self.shapes and geometry is not None and design[shape_id].editable:
+                found[shape_id] = lines.get(shape_id, tuple(range(len(geometry.net))))
         return found
 
     def cut_to(self, design: Design) -> "Selection":
@@ -91,8 +91,8 @@ class Selection:
             line
             for line in self.lines
             if line.shape in design
-            and (curve := design[line.shape].curve) is not None
-            and line.number < len(curve.lines)
+            and (geometry := design[line.shape].plus) is not None
+            and line.number < len(geometry.net)
         )
         shapes = frozenset(shape_id for shape_id in self.shapes if shape_id in design)
         if lines == self.lines and shapes == self.shapes:

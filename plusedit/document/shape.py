@@ -9,6 +9,7 @@ from types import MappingProxyType
 from typing import NewType, TypeAlias
 
 from plusedit.geometry.curve import PlusCurve
+from plusedit.geometry.surface import PlusSurface
 
 ShapeId = NewType("ShapeId", str)
 Json: TypeAlias = "Mapping[str, Json] | list[Json] | str | float | int | bool | None"
@@ -23,12 +24,15 @@ class NotDrawn:
     """A shape that this program keeps but can't draw yet, as it stood in the file."""
 
     kind: str
-    """what the file calls it: "surface" or "mesh" """
+    """what the file calls it, such as "mesh" """
     tree: Tree
     """every key of the shape but those that `Shape` knows"""
 
 
-Geometry: TypeAlias = PlusCurve | NotDrawn
+PlusGeometry: TypeAlias = PlusCurve | PlusSurface
+"""What has a net of control lines or control planes that can be edited."""
+
+Geometry: TypeAlias = PlusCurve | PlusSurface | NotDrawn
 
 
 @dataclass(frozen=True)
@@ -65,10 +69,24 @@ class Shape:
         return self.geometry if isinstance(self.geometry, PlusCurve) else None
 
     @property
+    def surface(self) -> PlusSurface | None:
+        """The surface, or None where the shape is of another kind."""
+        return self.geometry if isinstance(self.geometry, PlusSurface) else None
+
+    @property
+    def plus(self) -> PlusGeometry | None:
+        """The curve or surface, or None where the shape can't be drawn."""
+        return None if isinstance(self.geometry, NotDrawn) else self.geometry
+
+    @property
     def editable(self) -> bool:
         """Whether its geometry may be changed: it is seen, not locked, and can be drawn."""
-        return self.visible and not self.locked and self.curve is not None
+        return self.visible and not self.locked and self.plus is not None
 
     def with_curve(self, curve: PlusCurve) -> "Shape":
-        """The same shape with other geometry."""
+        """The same shape with another curve."""
         return replace(self, geometry=curve)
+
+    def with_plus(self, geometry: PlusGeometry) -> "Shape":
+        """The same shape with another curve or surface."""
+        return replace(self, geometry=geometry)

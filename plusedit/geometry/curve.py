@@ -17,6 +17,7 @@ from plusedit.geometry.arrays import LARGEST, Floats
 from plusedit.geometry.bases import Basis, is_local
 from plusedit.geometry.blend import Blend, Grid, blend, blend_at, parameters_of
 from plusedit.geometry.lines import ControlLines
+from plusedit.geometry.net import ControlNet
 
 BLOCK = 1 << 15  # entries of one matrix, 256 KB: longer rows of parameters go through the cache
 
@@ -57,6 +58,22 @@ class PlusCurve:
     def gradients(self) -> Floats:
         """(n, dim) the g_i = s d_i."""
         return self.s * self.directions
+
+    @property
+    def net(self) -> ControlLines:
+        """The control lines, as edits see them."""
+        return self.lines
+
+    @property
+    def vectors(self) -> Floats:
+        """(1, n, dim) the directions d_i."""
+        return self.directions[None]
+
+    def with_net(self, net: ControlNet) -> "PlusCurve":
+        """The same basis and s with other control lines."""
+        if not isinstance(net, ControlLines):
+            raise TypeError("a curve has control lines")
+        return replace(self, lines=net)
 
     @cached_property
     def classical(self) -> "PlusCurve":

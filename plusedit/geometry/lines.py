@@ -18,8 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from plusedit.geometry.arrays import Floats, frozen, unit
-
-Flags = NDArray[np.bool_]
+from plusedit.geometry.net import Flags
 
 LEAST_WEIGHT = 1e-290  # of the largest; less would be lost, and quotients of weights not be finite
 
@@ -172,6 +171,40 @@ class ControlLines:
     def with_weights(self, weights: Floats | None) -> "ControlLines":
         """The same lines with other weights."""
         return replace(self, weights=weights)
+
+    # The flat look that edits have at lines and planes alike
+
+    @property
+    def control_points(self) -> Floats:
+        """(n, dim) the points."""
+        return self.points
+
+    @property
+    def given_vectors(self) -> Floats:
+        """(1, n, dim) the directions set by the user; zero where automatic."""
+        return self.given[None]
+
+    @property
+    def automatic_vectors(self) -> Flags:
+        """(1, n) true where a direction follows the neighbouring points."""
+        return self.automatic[None]
+
+    @property
+    def weight_row(self) -> Floats | None:
+        """(n,) the weights, or None where all are one."""
+        return self.weights
+
+    def with_control_points(self, points: Floats) -> "ControlLines":
+        """The same lines through other points; automatic directions follow them."""
+        return self.with_points(points)
+
+    def with_vectors(self, given: Floats, automatic: Flags) -> "ControlLines":
+        """The same points with other directions (1, n, dim), automatic ones marked (1, n)."""
+        return replace(self, given=given[0], automatic=automatic[0])
+
+    def with_weight_row(self, weights: Floats | None) -> "ControlLines":
+        """The same lines with other weights (n,)."""
+        return self.with_weights(weights)
 
     def taken(self, rows: "list[int] | NDArray[np.intp]") -> "ControlLines":
         """The lines of those indices, in that order."""

@@ -31,6 +31,23 @@ class Camera(Protocol):
         """The length of a pixel in the world (where it is nearest, in perspective)."""
         ...
 
+    @property
+    def axes_of_view(self) -> Floats:
+        """(3, 3) unit vectors of the world, in rows: to the right, upwards, toward the eye."""
+        ...
+
+    def pixel_at(self, points: Floats) -> Floats:
+        """(m,) the length of a pixel in the world at each point (m, dim)."""
+        ...
+
+    def depths(self, points: Floats) -> Floats:
+        """(m,) how deep in the view each point (m, dim) lies; less is nearer to the eye."""
+        ...
+
+    def ray(self, screen: Floats) -> tuple[Floats, Floats]:
+        """Origin (3,) and unit direction (3,), away from the eye, of what is seen at a pixel."""
+        ...
+
     def to_screen(self, points: Floats) -> Floats:
         """(m, 2) pixels to the right and downwards, of points (m, 2) or (m, 3)."""
         ...
@@ -68,6 +85,28 @@ class PlaneCamera:
                 return points
             points = np.column_stack([points, np.zeros(len(points))])
         return points[:, [across, up]]
+
+    @cached_property
+    def axes_of_view(self) -> Floats:
+        """(3, 3) unit vectors of the world, in rows: to the right, upwards, toward the eye."""
+        across, up = (np.eye(3)[axis] for axis in self.axes)
+        return np.stack([across, up, np.cross(across, up)])
+
+    def pixel_at(self, points: Floats) -> Floats:
+        """(m,) the length of a pixel in the world, the same at every point."""
+        return np.full(len(points), self.pixel)
+
+    def depths(self, points: Floats) -> Floats:
+        """(m,) how deep each point lies; a plane curve lies in z = 0."""
+        toward = self.axes_of_view[2]
+        depths: Floats = -points @ toward[: points.shape[1]]
+        return depths
+
+    def ray(self, screen: Floats) -> tuple[Floats, Floats]:
+        """A point (3,) that is seen at the pixel, its third coordinate 0, and the way of looking."""
+        origin = np.zeros(3)
+        origin[list(self.axes)] = self.in_plane(screen[None])[0]
+        return origin, -self.axes_of_view[2]
 
     def to_screen(self, points: Floats) -> Floats:
         # The center first: far from the origin, what is left of both is exact.

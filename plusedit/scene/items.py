@@ -7,7 +7,12 @@ A color is "#rrggbb", "#rrggbbaa", or the name of a role of the theme such as "p
 from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
+import numpy as np
+from numpy.typing import NDArray
+
 from plusedit.geometry.arrays import Floats
+from plusedit.geometry.blend import Grid
+from plusedit.geometry.surface import PlusSurface
 
 Dash: TypeAlias = Literal["solid", "dash", "dot"]
 Mark: TypeAlias = Literal["circle", "square", "diamond", "ring", "cross"]
@@ -71,4 +76,36 @@ class Label:
     size: float = 12.0
 
 
-Item: TypeAlias = Polyline | Polygon | Segments | Markers | Label
+@dataclass(frozen=True, eq=False)
+class Patch:
+    """A plus surface, shaded; only the 3D view draws it.
+
+    What it is made of stays while s changes: then nothing but one number goes to the screen.
+    """
+
+    surface: PlusSurface
+    grid_u: Grid
+    """parameters at which it is sampled, 0 and 1 among them"""
+    grid_v: Grid
+    front: str = "front"
+    """the side that the normal S_u x S_v points to"""
+    back: str = "back"
+    wire: str | None = None
+    """color of the lines between samples, None for none"""
+
+
+@dataclass(frozen=True, eq=False)
+class Mesh:
+    """Triangles, shaded; only the 3D view draws them."""
+
+    points: Floats
+    """(m, 3)"""
+    triangles: NDArray[np.int32]
+    """(k, 3) numbers of points, counter-clockwise as seen from the front"""
+    normals: Floats | None = None
+    """(m, 3) unit vectors, or None for flat triangles"""
+    front: str = "front"
+    back: str = "back"
+
+
+Item: TypeAlias = Polyline | Polygon | Segments | Markers | Label | Patch | Mesh

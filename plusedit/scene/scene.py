@@ -20,7 +20,7 @@ from plusedit.scene.camera import PlaneCamera
 from plusedit.scene.control_lines import control_line_items
 from plusedit.scene.drawn import drawn
 from plusedit.scene.handles import handle_shapes
-from plusedit.scene.items import Item, Label, Polyline, Segments
+from plusedit.scene.items import Item, Label, Patch, Polyline, Segments
 from plusedit.scene.options import ViewOptions
 from plusedit.scene.overlays import in_order
 
@@ -91,6 +91,8 @@ def _is_finite(item: Item) -> bool:
             return bool(np.isfinite(starts).all() and np.isfinite(ends).all())
         case Label(at):
             return bool(np.isfinite(at).all())
+        case Patch():
+            return True
         case _:
             return bool(np.isfinite(item.points).all())
 

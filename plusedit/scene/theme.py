@@ -102,6 +102,8 @@ ROLES = (
     "x",
     "y",
     "z",
+    "front",
+    "back",
 )
 
 # fmt: off
@@ -109,11 +111,13 @@ LIGHT = Theme("light", _roles(
     "#F3F4F6", "#FFFFFF", "#D9DDE3", "#1F2430", "#5B6472", "#2563EB",
     "#FCFCFD", "#ECEEF2", "#D7DBE2", "#12824A", "#C8372D", "#334155", "#2563EB", "#F59E0B",
     "#B58900", "#B5379E", "#F4B6C259", "#A9C4F559", "#C8372D", "#12824A", "#3B82C4",
+    "#C9C2B8", "#9FB3C8",
 ))
 DARK = Theme("dark", _roles(
     "#1E2127", "#262A31", "#383E48", "#E6E9EF", "#A3ACBA", "#6AA2FF",
     "#16181D", "#22252C", "#30353F", "#F2F4F8", "#FF7B72", "#C3CAD6", "#6AA2FF", "#FFB84D",
     "#F2C94C", "#E07BD0", "#7A3B4B73", "#33507F73", "#FF7B72", "#5BC98C", "#8CC4F0",
+    "#B9B2A7", "#7F93A8",
 ))
 # fmt: on
 
