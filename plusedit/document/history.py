@@ -8,6 +8,7 @@ from plusedit.document.shape import Shape
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.net import Flags
+from plusedit.geometry.surface import PlusSurface
 
 BUDGET = 512 * 2**20  # bytes that old designs may hold before the oldest are forgotten
 SMALL = 2000  # bytes that any shape takes besides its arrays, roughly
@@ -109,8 +110,9 @@ def _bytes_not_shared(old: Design, new: Design) -> int:
 
 
 def _arrays(shape: Shape | None) -> Iterator[Floats | Flags]:
-    if shape is not None and isinstance(shape.geometry, PlusCurve):
-        net = shape.geometry.net
-        yield from (net.control_points, net.given_vectors, net.automatic_vectors)
-        if net.weight_row is not None:
-            yield net.weight_row
+    # The arrays themselves, not the flat views of them: what is shared is told by identity.
+    match shape and shape.geometry:
+        case PlusCurve(lines=net) | PlusSurface(planes=net):
+            yield from (net.points, net.given, net.automatic)
+            if net.weights is not None:
+                yield net.weights

@@ -103,7 +103,7 @@ class PlaneCamera:
         return depths
 
     def ray(self, screen: Floats) -> tuple[Floats, Floats]:
-        """A point (3,) that is seen at the pixel, its third coordinate 0, and the way of looking."""
+        """A point (3,) that is seen at the pixel, the third coordinate 0, and the view."""
         origin = np.zeros(3)
         origin[list(self.axes)] = self.in_plane(screen[None])[0]
         return origin, -self.axes_of_view[2]
