@@ -14,7 +14,7 @@ so the surface is linear in the points and the directions, and affine in s: S = 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
-from typing import TypeAlias
+from typing import Literal, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -25,6 +25,11 @@ from plusedit.geometry.blend import Blend, Grid, blend, blend_at, parameters_of
 from plusedit.geometry.matrices import Matrix, dense
 from plusedit.geometry.net import ControlNet
 from plusedit.geometry.planes import ControlPlanes
+
+Way: TypeAlias = Literal["u", "v"]
+"""One of the two directions of a surface."""
+
+WAYS: tuple[Way, Way] = ("u", "v")
 
 ORDERS = ((0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2))
 """Of the derivatives by u and v, in the order in which they are given back."""
