@@ -2,15 +2,20 @@
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
-from math import isfinite
+from math import isfinite, pi
 from typing import Literal, TypeAlias, cast, get_args
 
 from plusedit.document.shape import Json, Tree
 from plusedit.scene.camera import LARGEST, SMALLEST, PlaneCamera, Projection
+from plusedit.scene.space_camera import LARGEST as LARGEST_HEIGHT
+from plusedit.scene.space_camera import SMALLEST as LEAST_HEIGHT
+from plusedit.scene.space_camera import SpaceCamera
 
 Handles: TypeAlias = Literal["auto", "selected", "all", "none"]
+Shading: TypeAlias = Literal["studio", "matcap"]
+ShownPanes: TypeAlias = Literal["2d", "3d", "both"]
 
-SWITCHES = ("grid", "rulers", "snap")
+SWITCHES = ("grid", "rulers", "snap", "ground", "isolines", "wire", "front_only")
 FAR = 1e100  # coordinates beyond that, no view is centred on
 
 
@@ -26,6 +31,16 @@ class ViewOptions:
     rulers: bool = True
     snap: bool = False
     """whether points snap to the grid without Ctrl (Ctrl then frees them)"""
+    ground: bool = True
+    """whether the 3D view shows a grid on the ground, z = 0"""
+    isolines: bool = True
+    """whether surfaces show lines of constant u and of constant v"""
+    wire: bool = False
+    """whether the 3D view shows the mesh that surfaces are drawn as"""
+    front_only: bool = False
+    """whether handles that a surface hides can't be picked"""
+    shading: Shading = "studio"
+    """how light falls on surfaces"""
 
     def with_overlay(self, name: str, is_on: bool) -> "ViewOptions":
         """With that overlay switched on or off."""
@@ -38,29 +53,34 @@ USUAL = ViewOptions()
 
 def options_of(view: Tree) -> ViewOptions:
     """The options that a design keeps. What is missing or makes no sense is as usual."""
-    overlays, handles = view.get("overlays"), view.get("handles")
+    overlays, handles, shading = view.get("overlays"), view.get("handles"), view.get("shading")
     return ViewOptions(
         frozenset(_texts(overlays)) if isinstance(overlays, list) else USUAL.overlays,
         cast(Handles, handles) if handles in get_args(Handles) else USUAL.handles,
+        shading=cast(Shading, shading) if shading in get_args(Shading) else USUAL.shading,
         **{name: _switch(view, name) for name in SWITCHES},
     )
 
 
-def view_tree(options: ViewOptions, camera: PlaneCamera | None = None, *, old: Tree) -> Tree:
-    """What a design keeps of options and camera, in place of what `old` says of them.
+def view_tree(
+    options: ViewOptions,
+    camera: PlaneCamera | None = None,
+    *,
+    old: Tree,
+    camera_3d: SpaceCamera | None = None,
+    panes: ShownPanes | None = None,
+) -> Tree:
+    """What a design keeps of options and cameras, in place of what `old` says of them.
 
-    Only what is not as usual is said; keys that this program does not know stay.
+    Only what is not as usual is said; keys that this program does not know stay, and so do the
+    camera of the 3D view and the panes where none are given.
     """
-    tree: dict[str, Json] = {
-        key: value
-        for key, value in old.items()
-        if key not in ("overlays", "handles", "camera", *SWITCHES)
-    }
+    known = {"overlays", "handles", "shading", "camera", *SWITCHES}
+    known |= {name for name, given in (("camera_3d", camera_3d), ("panes", panes)) if given}
+    tree: dict[str, Json] = {key: value for key, value in old.items() if key not in known}
     if options.overlays != USUAL.overlays:
         tree["overlays"] = [*sorted(options.overlays)]
-    if options.handles != USUAL.handles:
-        tree["handles"] = options.handles
-    for name in SWITCHES:
+    for name in ("handles", "shading", *SWITCHES):
         if getattr(options, name) != getattr(USUAL, name):
             tree[name] = getattr(options, name)
     if camera is not None:
@@ -69,6 +89,16 @@ def view_tree(options: ViewOptions, camera: PlaneCamera | None = None, *, old: T
             "scale": camera.scale,
             "projection": camera.projection,
         }
+    if camera_3d is not None:
+        tree["camera_3d"] = {
+            "target": list(camera_3d.target),
+            "height": camera_3d.height,
+            "yaw": camera_3d.yaw,
+            "pitch": camera_3d.pitch,
+            "perspective": camera_3d.perspective,
+        }
+    if panes is not None:
+        tree["panes"] = panes
     return tree
 
 
@@ -87,6 +117,30 @@ def camera_of(view: Tree, size: tuple[float, float]) -> PlaneCamera | None:
     if projection not in get_args(Projection):
         return None
     return PlaneCamera(size, (x, y), scale, cast(Projection, projection))
+
+
+def space_camera_of(view: Tree, size: tuple[float, float]) -> SpaceCamera | None:
+    """The camera of the 3D view that a design keeps, for that size; None if it keeps none."""
+    kept = view.get("camera_3d")
+    if not isinstance(kept, Mapping):
+        return None
+    target = kept.get("target")
+    if not isinstance(target, list) or len(target) != 3:
+        return None
+    numbers = [_number(value) for value in (*target, *map(kept.get, ("height", "yaw", "pitch")))]
+    perspective = kept.get("perspective", True)
+    if None in numbers or not isinstance(perspective, bool):
+        return None
+    x, y, z, height, yaw, pitch = cast(list[float], numbers)
+    if not LEAST_HEIGHT <= height <= LARGEST_HEIGHT or abs(pitch) > pi / 2.0:
+        return None
+    return SpaceCamera(size, (x, y, z), height, yaw, pitch, perspective)
+
+
+def panes_of(view: Tree) -> ShownPanes | None:
+    """Which views a design asks for; None if it says nothing of them."""
+    panes = view.get("panes")
+    return cast(ShownPanes, panes) if panes in get_args(ShownPanes) else None
 
 
 def _switch(view: Tree, name: str) -> bool:
