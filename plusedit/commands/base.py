@@ -1,30 +1,37 @@
 """What every command is made of."""
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
+from typing import Literal, TypeAlias
 
 import numpy as np
 
 from plusedit.document.design import Design, EditError
 from plusedit.document.selection import Selection
-from plusedit.document.shape import Shape, ShapeId
+from plusedit.document.shape import PlusGeometry, Shape, ShapeId
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.curve import PlusCurve
-from plusedit.geometry.lines import ControlLines
+from plusedit.geometry.net import ControlNet
+from plusedit.geometry.surface import PlusSurface, Way
 
 Targets = Mapping[ShapeId, tuple[int, ...]]
-"""Indices of control lines by shape, as `Selection.targets` gives them."""
+"""Numbers of control lines and planes by shape, as `Selection.targets` gives them."""
+
+Side: TypeAlias = Literal["both", "u", "v"]
+"""Which directions of a control plane are meant; a control line has only one, always meant."""
 
 
 @dataclass(frozen=True, eq=False)
 class Landing:
-    """Where one of the lines that are moved or turned comes to stand, free of rounding."""
+    """Where one of the points or directions that are edited comes to stand, free of rounding."""
 
     shape_id: ShapeId
     number: int
     vector: Floats
-    """(dim,) its control point or direction then"""
+    """(dim,) the control point or direction then"""
+    way: Way = "u"
+    """of a control plane: which of its two directions"""
 
 
 class Command(ABC):
@@ -34,6 +41,10 @@ class Command(ABC):
     @abstractmethod
     def label(self) -> str:
         """What the Undo menu says, such as "Rotate 3 control lines"."""
+
+    def label_in(self, design: Design) -> str:
+        """The label in the words that fit the shapes of the design before the edit."""
+        return self.label
 
     @abstractmethod
     def apply(self, design: Design) -> Design:
@@ -45,6 +56,25 @@ class Command(ABC):
     def reselect(self, selection: Selection, old: Design, new: Design) -> Selection:
         """What is selected once the edit is committed: what was, as far as it is still there."""
         return selection.cut_to(new)
+
+
+@dataclass(frozen=True, eq=False)
+class NetCommand(Command):
+    """An edit of some control lines and control planes."""
+
+    targets: Targets
+
+    @property
+    @abstractmethod
+    def verb(self) -> str:
+        """What is done, such as "Rotate"."""
+
+    @property
+    def label(self) -> str:
+        return counted(self.targets, self.verb)
+
+    def label_in(self, design: Design) -> str:
+        return f"{self.verb} {named(design, self.targets)}"
 
 
 @dataclass(frozen=True)
@@ -73,36 +103,76 @@ class Together(Command):
 
 def counted(targets: Targets, verb: str, noun: str = "control line") -> str:
     """Such as "Move control line" or "Move 3 control lines"."""
-    count = sum(len(indices) for indices in targets.values())
-    return f"{verb} {noun}" if count == 1 else f"{verb} {count} {noun}s"
+    return f"{verb} {_many(_count(targets.values()), noun)}"
+
+
+def named(design: Design, targets: Targets) -> str:
+    """Such as "3 control planes", or "control line and 2 control planes"."""
+    by_noun = {"control line": 0, "control plane": 0}
+    for shape_id, rows in targets.items():
+        is_surface = shape_id in design and design[shape_id].surface is not None
+        by_noun["control plane" if is_surface else "control line"] += len(rows)
+    parts = [_many(count, noun) for noun, count in by_noun.items() if count]
+    return " and ".join(parts) or _many(0, "control line")
 
 
 def of_curves(ids: Iterable[ShapeId], verb: str, noun: str = "curve") -> str:
     """Such as "Reverse curve" or "Reverse 3 curves"."""
-    count = len(tuple(ids))
-    return f"{verb} {noun}" if count == 1 else f"{verb} {count} {noun}s"
+    return f"{verb} {_many(len(tuple(ids)), noun)}"
+
+
+def kind_of(design: Design, ids: Iterable[ShapeId]) -> str:
+    """What those shapes are: "curve", "surface", or "shape" where they differ."""
+    kinds = {
+        "curve" if shape.curve is not None else "surface" if shape.surface is not None else "shape"
+        for shape_id in ids
+        if (shape := design.shapes.get(shape_id)) is not None
+    }
+    return kinds.pop() if len(kinds) == 1 else "shape"
+
+
+def _many(count: int, noun: str) -> str:
+    return noun if count == 1 else f"{count} {noun}s"
+
+
+def _count(groups: Iterable[tuple[int, ...]]) -> int:
+    return sum(len(rows) for rows in groups)
+
+
+def edit_shapes(
+    design: Design, ids: Iterable[ShapeId], edit: Callable[[ShapeId, PlusGeometry], PlusGeometry]
+) -> Design:
+    """The design with `edit` done to every shape named; the same design if it changes none.
+
+    All or nothing. EditError where a shape is locked, hidden, missing or no curve or surface; a
+    ValueError of `edit` becomes an EditError that names the shape.
+    """
+    found: dict[ShapeId, Shape] = {}
+    for shape_id in ids:
+        shape, geometry = unlocked(design, shape_id), design.plus(shape_id)
+        try:
+            edited = edit(shape_id, geometry)
+        except EditError:
+            raise
+        except ValueError as error:
+            raise EditError(f"{shape.name}: {error}") from error
+        if edited is not geometry:
+            found[shape_id] = shape.with_plus(edited)
+    return with_shapes(design, found)
 
 
 def edit_curves(
     design: Design, ids: Iterable[ShapeId], edit: Callable[[ShapeId, PlusCurve], PlusCurve]
 ) -> Design:
-    """The design with `edit` done to every curve named; the same design if it changes none.
+    """`edit_shapes` of curves only: EditError where a shape is of another kind."""
+    return edit_shapes(design, ids, lambda shape_id, _: edit(shape_id, design.curve(shape_id)))
 
-    All or nothing. EditError where a shape is locked, hidden, missing or no curve; a ValueError
-    of `edit` becomes an EditError that names the shape.
-    """
-    found: dict[ShapeId, Shape] = {}
-    for shape_id in ids:
-        shape, curve = unlocked(design, shape_id), design.curve(shape_id)
-        try:
-            edited = edit(shape_id, curve)
-        except EditError:
-            raise
-        except ValueError as error:
-            raise EditError(f"{shape.name}: {error}") from error
-        if edited is not curve:
-            found[shape_id] = shape.with_curve(edited)
-    return with_shapes(design, found)
+
+def edit_surfaces(
+    design: Design, ids: Iterable[ShapeId], edit: Callable[[ShapeId, PlusSurface], PlusSurface]
+) -> Design:
+    """`edit_shapes` of surfaces only: EditError where a shape is of another kind."""
+    return edit_shapes(design, ids, lambda shape_id, _: edit(shape_id, design.surface(shape_id)))
 
 
 def with_shapes(design: Design, shapes: Mapping[ShapeId, Shape]) -> Design:
@@ -120,25 +190,42 @@ def unlocked(design: Design, shape_id: ShapeId) -> Shape:
     return shape
 
 
-def edit_lines(
+def edit_nets(
     design: Design,
     targets: Targets,
-    edit: Callable[[ShapeId, PlusCurve, list[int]], ControlLines],
+    edit: Callable[[ShapeId, PlusGeometry, list[int]], ControlNet],
 ) -> Design:
-    """The design with `edit` done to the named lines. EditError if one is missing."""
+    """The design with `edit` done to the named control lines and planes.
 
-    def edited(shape_id: ShapeId, curve: PlusCurve) -> PlusCurve:
+    `edit` gets the curve or surface and the numbers meant, and gives its new net, or the very net
+    it has where nothing changes. EditError as in `edit_shapes`, and where a number is missing.
+    """
+
+    def edited(shape_id: ShapeId, geometry: PlusGeometry) -> PlusGeometry:
         rows = list(targets[shape_id])
         if not rows:
-            return curve
-        count = len(curve.lines)
+            return geometry
+        before = geometry.net
+        count = len(before)
         if min(rows) < 0 or max(rows) >= count:
             missing = next(row for row in rows if not 0 <= row < count)
-            raise EditError(f"{design[shape_id].name} has no control line {missing + 1}")
-        lines = edit(shape_id, curve, rows)
-        return curve if lines is curve.lines else replace(curve, lines=lines)
+            noun = "line" if isinstance(geometry, PlusCurve) else "plane"
+            raise EditError(f"{design[shape_id].name} has no control {noun} {missing + 1}")
+        net = edit(shape_id, geometry, rows)
+        return geometry if net is before else geometry.with_net(net)
 
-    return edit_curves(design, targets, edited)
+    return edit_shapes(design, targets, edited)
+
+
+def ways_of(geometry: PlusGeometry, side: Side) -> Iterator[int]:
+    """The indices k of the directions `vectors[k]` that are meant."""
+    if isinstance(geometry, PlusCurve):
+        yield 0
+        return
+    if side != "v":
+        yield 0
+    if side != "u":
+        yield 1
 
 
 def fitted(vector: Floats, dimension: int) -> Floats:

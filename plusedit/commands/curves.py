@@ -1,11 +1,11 @@
-"""Edits of whole curves: the magnitude s, the family and its parameters, tangency, closing."""
+"""Edits of whole curves: the family and its parameters, tangency, closing; s of surfaces too."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields, replace
 
-from plusedit.commands.base import Command, edit_curves, of_curves
+from plusedit.commands.base import Command, edit_curves, edit_shapes, kind_of, of_curves
 from plusedit.document.design import Design
-from plusedit.document.shape import ShapeId, Tree
+from plusedit.document.shape import PlusGeometry, ShapeId, Tree
 from plusedit.geometry.bases import Basis
 from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.passing import passing_through
@@ -27,20 +27,26 @@ def rebased(design: Design, ids: Ids, change: Callable[[Basis], Basis]) -> Desig
 
 @dataclass(frozen=True, eq=False)
 class SetMagnitude(Command):
-    """Give curves their magnitude s."""
+    """Give curves and surfaces their magnitude s."""
 
     values: Mapping[ShapeId, float]
 
     @property
     def label(self) -> str:
-        return "Set s" if len(self.values) == 1 else f"Set s of {len(self.values)} curves"
+        return self._of("curve")
+
+    def label_in(self, design: Design) -> str:
+        return self._of(kind_of(design, self.values))
+
+    def _of(self, noun: str) -> str:
+        return "Set s" if len(self.values) == 1 else f"Set s of {len(self.values)} {noun}s"
 
     def apply(self, design: Design) -> Design:
-        def strong(shape_id: ShapeId, curve: PlusCurve) -> PlusCurve:
+        def strong(shape_id: ShapeId, geometry: PlusGeometry) -> PlusGeometry:
             s = float(self.values[shape_id])
-            return curve if s == curve.s else replace(curve, s=s)
+            return geometry if s == geometry.s else replace(geometry, s=s)
 
-        return edit_curves(design, self.values, strong)
+        return edit_shapes(design, self.values, strong)
 
 
 @dataclass(frozen=True, eq=False)

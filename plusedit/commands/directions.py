@@ -1,21 +1,30 @@
-"""Edits of directions, on any number of lines of any shapes.
+"""Edits of directions, on any number of control lines and planes of any shapes.
 
 What is turned, stretched or set becomes given: it follows its neighbours no longer until it is
-reset. A direction is turned in one plane of coordinates; what it has across that plane stays.
+reset. Of a control plane both directions are meant, or the one that `side` names.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from math import cos, pi, sin
 
 import numpy as np
 
-from plusedit.commands.base import Command, Landing, Targets, counted, edit_lines, fitted
+from plusedit.commands.base import (
+    Command,
+    Landing,
+    NetCommand,
+    Side,
+    Targets,
+    edit_nets,
+    fitted,
+    ways_of,
+)
 from plusedit.document.design import Design
-from plusedit.document.shape import ShapeId
+from plusedit.document.shape import PlusGeometry, ShapeId
 from plusedit.geometry.arrays import Floats
-from plusedit.geometry.curve import PlusCurve
-from plusedit.geometry.lines import ControlLines
+from plusedit.geometry.net import ControlNet
+from plusedit.geometry.surface import PlusSurface
 
 Plane = tuple[int, int]
 """Two axes: a positive angle turns from the first to the second."""
@@ -26,21 +35,34 @@ TOP: Plane = (0, 1)
 def redirected(
     design: Design,
     targets: Targets,
-    change: Callable[[PlusCurve, Floats], Floats],
-    landing: Landing | None = None,
+    change: Callable[[PlusGeometry, Floats], Floats],
+    side: Side = "both",
+    landings: tuple[Landing, ...] = (),
 ) -> Design:
-    """The design with the named directions (k, dim) replaced by what `change` makes of them."""
+    """The design with the directions meant replaced by what `change` makes of them.
 
-    def edited(shape_id: ShapeId, curve: PlusCurve, rows: list[int]) -> ControlLines:
-        lines = curve.lines
-        given, automatic = lines.given.copy(), lines.automatic.copy()
-        given[rows] = change(curve, curve.directions[rows])
-        if landing is not None and landing.shape_id == shape_id:
-            given[landing.number] = fitted(landing.vector, curve.dimension)
-        automatic[rows] = False
-        return replace(lines, given=given, automatic=automatic)
+    `change` gets those by u and those by v one after the other, (k, dim) each.
+    """
 
-    return edit_lines(design, targets, edited)
+    def edited(shape_id: ShapeId, geometry: PlusGeometry, rows: list[int]) -> ControlNet:
+        net, vectors = geometry.net, geometry.vectors
+        given, automatic = net.given_vectors.copy(), net.automatic_vectors.copy()
+        ways = list(ways_of(geometry, side))
+        for way in ways:
+            given[way, rows] = change(geometry, vectors[way, rows])
+            automatic[way, rows] = False
+        for landing in landings:
+            way = 1 if landing.way == "v" and len(given) > 1 else 0
+            if landing.shape_id == shape_id and way in ways:
+                given[way, landing.number] = fitted(landing.vector, geometry.dimension)
+        return net.with_vectors(given, automatic)
+
+    return edit_nets(design, targets, edited)
+
+
+def unchanged(design: Design, targets: Targets) -> Design:
+    """The very same design, once it is sure that the targets are there and may be edited."""
+    return edit_nets(design, targets, lambda _, geometry, rows: geometry.net)
 
 
 def quarter_exact(angle: float) -> tuple[float, float]:
@@ -64,38 +86,44 @@ def turned(vectors: Floats, angle: float, plane: Plane = TOP) -> Floats:
 
 
 @dataclass(frozen=True, eq=False)
-class Turn(Command):
-    """Turn directions by the same angle, and stretch them by the same factor if one is given."""
+class Turn(NetCommand):
+    """Turn directions by the same angle, and stretch them by the same factor if one is given.
 
-    targets: Targets
+    They are turned in one plane of coordinates; what they have across that plane stays.
+    """
+
     angle: float
     """in radians, counter-clockwise as seen in the plane"""
     plane: Plane = TOP
     factor: float = 1.0
     landing: Landing | None = None
     """of one of the directions: where it is to point exactly"""
+    side: Side = "both"
 
     @property
-    def label(self) -> str:
-        return counted(self.targets, "Rotate" if self.factor == 1.0 else "Stretch")
+    def verb(self) -> str:
+        return "Rotate" if self.factor == 1.0 else "Stretch"
 
     def apply(self, design: Design) -> Design:
         if self.angle == 0.0 and self.factor == 1.0 and self.landing is None:
-            return edit_lines(design, self.targets, lambda _, curve, rows: curve.lines)
+            return unchanged(design, self.targets)
 
-        def changed(_: PlusCurve, directions: Floats) -> Floats:
+        def changed(_: PlusGeometry, directions: Floats) -> Floats:
             return turned(directions, self.angle, self.plane) * self.factor
 
-        return redirected(design, self.targets, changed, self.landing)
+        landings = () if self.landing is None else (self.landing,)
+        return redirected(design, self.targets, changed, self.side, landings)
 
 
 @dataclass(frozen=True, eq=False)
 class SetDirection(Command):
-    """Give one line a direction, or None to let it follow its neighbours again."""
+    """Give one line or plane a direction, or None to let it follow its neighbours again."""
 
     shape_id: ShapeId
     number: int
     direction: Floats | None
+    side: Side = "both"
+    """of a plane: which one is given. Both can be reset, but not be given the same direction"""
 
     @property
     def label(self) -> str:
@@ -104,28 +132,32 @@ class SetDirection(Command):
     def apply(self, design: Design) -> Design:
         targets = {self.shape_id: (self.number,)}
         if self.direction is None:
-            return ResetDirections(targets).apply(design)
+            return ResetDirections(targets, self.side).apply(design)
         direction = self.direction
-        return redirected(
-            design, targets, lambda curve, _: fitted(direction, curve.dimension)[None]
-        )
+
+        def given(geometry: PlusGeometry, _: Floats) -> Floats:
+            if self.side == "both" and isinstance(geometry, PlusSurface):
+                raise ValueError("the directions by u and by v are set one at a time")
+            return fitted(direction, geometry.dimension)[None]
+
+        return redirected(design, targets, given, self.side)
 
 
 @dataclass(frozen=True, eq=False)
-class SetAngle(Command):
+class SetAngle(NetCommand):
     """Point directions the same way in a plane; lengths stay, what has none gets length 1."""
 
-    targets: Targets
     angle: float
     """in radians from the first axis of the plane towards the second"""
     plane: Plane = TOP
+    side: Side = "both"
 
     @property
-    def label(self) -> str:
-        return counted(self.targets, "Set angle of")
+    def verb(self) -> str:
+        return "Set angle of"
 
     def apply(self, design: Design) -> Design:
-        def pointed(_: PlusCurve, directions: Floats) -> Floats:
+        def pointed(_: PlusGeometry, directions: Floats) -> Floats:
             if max(self.plane) >= directions.shape[1]:
                 raise ValueError("the angle of a plane curve is that in the top view")
             columns = list(self.plane)
@@ -135,82 +167,85 @@ class SetAngle(Command):
             result[:, columns] = length[:, None] * np.array(quarter_exact(self.angle))
             return result
 
-        return redirected(design, self.targets, pointed)
+        return redirected(design, self.targets, pointed, self.side)
 
 
 @dataclass(frozen=True, eq=False)
-class SetLength(Command):
+class SetLength(NetCommand):
     """Give directions the same length; a direction of no length must point somewhere first."""
 
-    targets: Targets
     length: float
+    side: Side = "both"
 
     @property
-    def label(self) -> str:
-        return counted(self.targets, "Set length of")
+    def verb(self) -> str:
+        return "Set length of"
 
     def apply(self, design: Design) -> Design:
-        def stretched(_: PlusCurve, directions: Floats) -> Floats:
+        def stretched(geometry: PlusGeometry, directions: Floats) -> Floats:
             if not self.length >= 0.0:
                 raise ValueError("a length can't be negative; reverse the direction instead")
             now = np.linalg.norm(directions, axis=1, keepdims=True)
             if self.length > 0.0 and not now.all():
-                raise ValueError("a control line without a direction can't be made longer")
+                noun = "plane" if isinstance(geometry, PlusSurface) else "line"
+                raise ValueError(f"a control {noun} without a direction can't be made longer")
             scale = np.divide(self.length, now, out=np.zeros_like(now), where=now > 0.0)
             longer: Floats = directions * scale
             return longer
 
-        return redirected(design, self.targets, stretched)
+        return redirected(design, self.targets, stretched, self.side)
 
 
 @dataclass(frozen=True, eq=False)
-class ScaleDirections(Command):
+class ScaleDirections(NetCommand):
     """Multiply directions by a number; a negative one reverses them."""
 
-    targets: Targets
     factor: float
+    side: Side = "both"
 
     @property
-    def label(self) -> str:
-        return counted(self.targets, "Stretch")
+    def verb(self) -> str:
+        return "Stretch"
 
     def apply(self, design: Design) -> Design:
         if self.factor == 1.0:
-            return edit_lines(design, self.targets, lambda _, curve, rows: curve.lines)
-        return redirected(design, self.targets, lambda _, d: d * self.factor)
+            return unchanged(design, self.targets)
+        return redirected(design, self.targets, lambda _, d: d * self.factor, self.side)
 
 
 @dataclass(frozen=True, eq=False)
-class ReverseDirections(Command):
+class ReverseDirections(NetCommand):
     """Point directions the other way."""
 
-    targets: Targets
+    side: Side = "both"
 
     @property
-    def label(self) -> str:
-        return counted(self.targets, "Reverse")
+    def verb(self) -> str:
+        return "Reverse"
 
     def apply(self, design: Design) -> Design:
         # 0 - d and not -d: a zero direction would else become -0 and look changed in the file.
-        return redirected(design, self.targets, lambda _, d: 0.0 - d)
+        return redirected(design, self.targets, lambda _, d: 0.0 - d, self.side)
 
 
 @dataclass(frozen=True, eq=False)
-class ResetDirections(Command):
+class ResetDirections(NetCommand):
     """Let directions follow the neighbouring control points again."""
 
-    targets: Targets
+    side: Side = "both"
 
     @property
-    def label(self) -> str:
-        return counted(self.targets, "Reset")
+    def verb(self) -> str:
+        return "Reset"
 
     def apply(self, design: Design) -> Design:
-        def reset(_: ShapeId, curve: PlusCurve, rows: list[int]) -> ControlLines:
-            if curve.lines.automatic[rows].all():
-                return curve.lines
-            automatic = curve.lines.automatic.copy()
-            automatic[rows] = True
-            return replace(curve.lines, automatic=automatic)
+        def reset(_: ShapeId, geometry: PlusGeometry, rows: list[int]) -> ControlNet:
+            net = geometry.net
+            meant = np.ix_(list(ways_of(geometry, self.side)), rows)
+            if net.automatic_vectors[meant].all():
+                return net
+            automatic = net.automatic_vectors.copy()
+            automatic[meant] = True
+            return net.with_vectors(net.given_vectors, automatic)
 
-        return edit_lines(design, self.targets, reset)
+        return edit_nets(design, self.targets, reset)

@@ -104,8 +104,8 @@ class Duplicate(Command):
             shape = unlocked(design, shape_id)
             copy_id = design.unused_id(stem_of(shape_id))
             design = design.with_shape(copy_id, replace(shape, name=free_name(design, shape.name)))
-            if shape.curve is not None:
-                rows = tuple(range(len(shape.curve.lines)))
+            if shape.plus is not None:
+                rows = tuple(range(len(shape.plus.net)))
                 design = MovePoints({copy_id: rows}, self.offset).apply(design)
         return design
 

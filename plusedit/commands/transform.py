@@ -1,27 +1,28 @@
-"""Affine maps of control lines, exact for whole curves."""
+"""Affine maps of control lines and planes, exact for whole curves and surfaces."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
-from plusedit.commands.base import Command, Targets, counted, edit_curves, fitted, fitted_matrix
+from plusedit.commands.base import NetCommand, edit_shapes, fitted, fitted_matrix
+from plusedit.commands.rotation import keeps_the_plane
 from plusedit.document.design import Design
-from plusedit.document.shape import ShapeId
+from plusedit.document.shape import PlusGeometry, ShapeId
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.curve import PlusCurve
+from plusedit.geometry.surface_transforms import transformed_surface
 from plusedit.geometry.transforms import transformed
 
 
 @dataclass(frozen=True, eq=False)
-class Transform(Command):
+class Transform(NetCommand):
     """Map points by x -> matrix x + offset, and the directions given by the user as vectors.
 
-    Where every line of a curve is meant the curve becomes its exact image: under a similarity s
-    takes the factor and automatic directions stay so, under any other map they become given.
-    Where only some lines are meant, automatic directions go on following their neighbours.
+    Where every line or plane of a shape is meant the shape becomes its exact image: under a
+    similarity s takes the factor and automatic directions stay so, under any other map they
+    become given. Where only some are meant, automatic directions go on following their neighbors.
     """
 
-    targets: Targets
     matrix: Floats
     """(2, 2) or (3, 3); in a dimension that it has not, nothing changes"""
     offset: Floats
@@ -30,33 +31,33 @@ class Transform(Command):
     """the verb of the label"""
 
     @property
-    def label(self) -> str:
-        return counted(self.targets, self.name)
+    def verb(self) -> str:
+        return self.name
 
     def apply(self, design: Design) -> Design:
-        def mapped(shape_id: ShapeId, curve: PlusCurve) -> PlusCurve:
+        def mapped(shape_id: ShapeId, geometry: PlusGeometry) -> PlusGeometry:
             rows = list(self.targets[shape_id])
-            if curve.dimension == 2 and len(self.matrix) == 3 and self._leaves_the_plane:
+            if geometry.dimension == 2 and not keeps_the_plane(self.matrix):
                 raise ValueError("a plane curve can be turned in the top view only")
-            matrix = fitted_matrix(self.matrix, curve.dimension)
-            offset = fitted(self.offset, curve.dimension)
+            matrix = fitted_matrix(self.matrix, geometry.dimension)
+            offset = fitted(self.offset, geometry.dimension)
             if (matrix == np.eye(len(matrix))).all() and not offset.any():
-                return curve
-            return image(curve, rows, matrix, offset)
+                return geometry
+            return image(geometry, rows, matrix, offset)
 
-        return edit_curves(design, self.targets, mapped)
-
-    @property
-    def _leaves_the_plane(self) -> bool:
-        return bool(self.matrix[2, :2].any() or self.matrix[:2, 2].any())
+        return edit_shapes(design, self.targets, mapped)
 
 
-def image(curve: PlusCurve, rows: list[int], matrix: Floats, offset: Floats) -> PlusCurve:
-    """The curve with some of its lines mapped, as `Transform` says."""
-    lines = curve.lines
-    if len(set(rows)) == len(lines):
-        return transformed(curve, matrix, offset)
-    points, given = lines.points.copy(), lines.given.copy()
+def image(geometry: PlusGeometry, rows: list[int], matrix: Floats, offset: Floats) -> PlusGeometry:
+    """The curve or surface with some of its lines or planes mapped, as `Transform` says."""
+    net = geometry.net
+    if len(set(rows)) == len(net):
+        if isinstance(geometry, PlusCurve):
+            return transformed(geometry, matrix, offset)
+        return transformed_surface(geometry, matrix, offset)
+    points, given = net.control_points.copy(), net.given_vectors.copy()
     points[rows] = points[rows] @ matrix.T + offset
-    given[rows] = given[rows] @ matrix.T
-    return replace(curve, lines=replace(lines, points=points, given=given))
+    given[:, rows] = given[:, rows] @ matrix.T
+    return geometry.with_net(
+        net.with_control_points(points).with_vectors(given, net.automatic_vectors)
+    )

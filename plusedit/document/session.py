@@ -12,9 +12,8 @@ from plusedit.events import Event
 class Edit(Protocol):
     """What a session takes in: a pure function from design to design, with a name."""
 
-    @property
-    def label(self) -> str:
-        """What the Undo menu says, such as "Move point"."""
+    def label_in(self, design: Design) -> str:
+        """What the Undo menu says of the edit of that design, such as "Move control plane"."""
         ...
 
     def apply(self, design: Design) -> Design:
@@ -91,7 +90,7 @@ class Session:
         design = edit.apply(before)
         if design is not before:
             self._chosen = edit.reselect(self._chosen, before, design)
-        self._settle(lambda: self._history.push(edit.label, design))
+        self._settle(lambda: self._history.push(edit.label_in(before), design))
 
     def abort(self) -> None:
         """Drop the preview: the committed design, the very same object, is on screen again."""

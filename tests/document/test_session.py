@@ -21,6 +21,9 @@ class SetS:
     s: float
     label = "Set s"
 
+    def label_in(self, design):
+        return self.label
+
     def apply(self, design):
         return design.edited(WING, lambda curve: replace(curve, s=self.s))
 
