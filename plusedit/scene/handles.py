@@ -2,8 +2,9 @@
 
 Control line i is drawn as the segment P_i -+ h g_i, h the spacing of the nodes, with a grip at
 each end. On the screen it is never shorter than 24 nor longer than 160 pixels, so that it can
-always be gripped; the direction is what counts, which both ends show. Drawing and picking read
-the same handles.
+always be gripped; the direction is what counts, which both ends show. Only as a line turns end on
+its grips go into the dot, and come out again on the other side. Drawing and picking read the same
+handles.
 """
 
 from dataclasses import dataclass
@@ -22,7 +23,8 @@ from plusedit.scene.options import ViewOptions
 
 SHORTEST, LONGEST = 24.0, 160.0  # pixels from grip to grip
 END_ON = 1e-3  # foreshortening beyond which a direction is seen as a point
-ALL_UP_TO = 200  # control lines of a design whose handles are all shown
+STEEP = 0.05  # foreshortening down to which the shortest length is kept to, against all depth
+ALL_UP_TO = 200  # control lines and planes of a design whose handles are all shown
 PROBE = 100.0  # pixels over which foreshortening is measured: many, so that rounding is lost
 
 
@@ -49,31 +51,42 @@ def handles(curve: PlusCurve, camera: Camera) -> Handles:
     """Where the dots and grips of a curve stand in that view."""
     points, directions = curve.lines.points, curve.directions
     full = curve.spacing * abs(curve.s) * directions
-    ways = unit(directions)
+    ways, pixel = unit(directions), camera.pixel_at(points)
     at = camera.to_screen(points)
-    seen = (camera.to_screen(points + ways * (PROBE * camera.pixel)) - at) / PROBE
-    foreshortened = np.hypot(seen[:, 0], seen[:, 1])
-    is_drawn = foreshortened > END_ON
-    shown = np.where(is_drawn, foreshortened, 1.0)
-    length = np.linalg.norm(full, axis=1) / camera.pixel * shown
-    limit = np.clip(length, SHORTEST / 2.0, LONGEST / 2.0)
-    arms = ways * (limit * camera.pixel / shown)[:, None]
+    seen = foreshortening(points, ways, pixel, camera)
+    is_drawn = seen > END_ON
+    shown = np.where(is_drawn, seen, 1.0)
+    length = np.linalg.norm(full, axis=1) / pixel * shown
+    shortest = SHORTEST / 2.0 * np.minimum(shown / STEEP, 1.0)
+    limit = np.clip(length, shortest, LONGEST / 2.0)
+    arms = ways * (limit * pixel / shown)[:, None]
     arms[~is_drawn] = 0.0
-    offset = np.where(is_drawn[:, None], seen * (limit / shown)[:, None], 0.0)
-    tips = np.stack([at + offset, at - offset])
+    tips = np.stack([camera.to_screen(points + arms), camera.to_screen(points - arms)])
+    tips[:, ~is_drawn] = at[~is_drawn]
     return Handles(at, tips, is_drawn, is_drawn & (limit != length), arms, full)
+
+
+def foreshortening(points: Floats, ways: Floats, pixel: Floats, camera: Camera) -> Floats:
+    """(n,) by how much unit vectors (n, dim) at points (n, dim) are seen shorter than they are.
+
+    0 for one that is seen end on, 1 for one across the view; `pixel` (n,) is its length there.
+    """
+    half = ways * (PROBE / 2.0 * pixel)[:, None]
+    seen = camera.to_screen(points + half) - camera.to_screen(points - half)
+    lengths: Floats = np.hypot(seen[:, 0], seen[:, 1]) / PROBE
+    return lengths
 
 
 def handle_shapes(
     design: Design, selection: Selection, options: ViewOptions
 ) -> tuple[ShapeId, ...]:
-    """The shapes whose control lines are shown, back to front; only those that can be edited."""
+    """The shapes whose control lines or planes are shown, back to front: only editable ones."""
     if options.handles == "none":
         return ()
     shown = {
-        shape_id: len(shape.curve.lines)
+        shape_id: len(shape.plus.net)
         for shape_id, shape in design.shapes.items()
-        if shape.curve is not None and shape.editable
+        if shape.plus is not None and shape.editable
     }
     everyone = options.handles == "all" or (
         options.handles == "auto" and sum(shown.values()) <= ALL_UP_TO
