@@ -74,20 +74,12 @@ class StandardCurve:
 
     def bezier_pieces(self) -> BezierPieces:
         """The curve between neighboring distinct knots as Bezier curves."""
-        breaks = np.unique(self.knots)
-        pieces, degree = len(breaks) - 1, self.degree
-        # Point r of the piece on [a, b] has the arguments a, ..., a, b, ..., b with r times b.
-        is_end = np.arange(degree)[:, None] >= degree - np.arange(self.order)
-        ends = np.where(is_end[:, None, :], breaks[1:, None], breaks[:-1, None])
-        span = np.searchsorted(self.knots, breaks[:-1], side="right") - 1
-        spans = np.repeat(span, self.order)
-        shares = weights_of_span(ends.reshape(degree, -1), self.knots, spans)
-        cut = Banded(spans[:, None] + np.arange(-degree, 1), shares, len(self.points))
+        cut, breaks = cutting(self.order, self.knots)
         points, weights = _projected(cut, None, self.points, None, self.weights)
-        points = points.reshape(pieces, self.order, -1)
+        points = points.reshape(len(breaks) - 1, self.order, -1)
         points[1:, 0] = points[:-1, -1]  # equal but for rounding; now neighbors touch exactly
         if weights is not None:
-            weights = weights.reshape(pieces, self.order)
+            weights = weights.reshape(-1, self.order)
         return BezierPieces(points, weights, breaks)
 
     @cached_property
@@ -95,6 +87,19 @@ class StandardCurve:
         basis = BSpline(len(self.points), self.order, knots=tuple(self.knots.tolist()))
         still = np.zeros_like(self.points)
         return PlusCurve(basis, ControlLines.of(self.points, list(still), self.weights), s=0.0)
+
+
+def cutting(order: int, knots: Floats) -> tuple[Banded, Floats]:
+    """(p order, n) what cuts a clamped B-spline into p Bezier curves, and their breaks (p + 1,)."""
+    breaks, degree = np.unique(knots), order - 1
+    # Point r of the piece on [a, b] has the arguments a, ..., a, b, ..., b with r times b.
+    is_end = np.arange(degree)[:, None] >= degree - np.arange(order)
+    ends = np.where(is_end[:, None, :], breaks[1:, None], breaks[:-1, None])
+    span = np.searchsorted(knots, breaks[:-1], side="right") - 1
+    spans = np.repeat(span, order)
+    shares = weights_of_span(ends.reshape(degree, -1), knots, spans)
+    columns = spans[:, None] + np.arange(-degree, 1)
+    return Banded(columns, shares, len(knots) - order), breaks
 
 
 @dataclass(frozen=True, eq=False)
