@@ -10,8 +10,10 @@ from plusedit.geometry.bases.bspline import BSpline
 from plusedit.geometry.bases.rag import RationalGaussian
 from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.lines import ControlLines
+from plusedit.geometry.planes import ControlPlanes
+from plusedit.geometry.surface import PlusSurface
 
-WING, BOW = ShapeId("wing"), ShapeId("bow")
+WING, BOW, SAIL = ShapeId("wing"), ShapeId("bow"), ShapeId("sail")
 
 DOCUMENT = b"""{
   "format": "plusedit-design", "version": 1, "author": {"name": "Ada"},
@@ -26,10 +28,11 @@ DOCUMENT = b"""{
      "basis": {"family": "rag", "sigma": [0.1, 0.2, 0.1], "nodes": [0, 0.25, 1]},
      "points": [[0, 0, 1], [1, 2, 1], [3, 2, 1e-320]]},
     {"id": "sail", "kind": "surface", "s": 1.2,
-     "basis_u": {"family": "bezier"}, "basis_v": {"family": "bspline", "order": 3, "closed": true},
+     "basis_u": {"family": "bezier"},
+     "basis_v": {"family": "bspline", "order": 3, "closed": true, "ply": 2},
      "points": [[[0, 0, 1], [1, 0, 1], [1, 1, 1]], [[0, 0, 2], [1, 0, 2.5], [1, 1, 2]]],
      "directions_u": [[null, [1, 0, 0], null], [null, null, null]],
-     "weights": [[1, 2, 3], [1, 1, 1]], "fabric": "dacron"},
+     "weights": [[1, 2, 3], [1, 1, 1]], "fabric": "dacron", "style": {"seam": "red"}},
     {"id": "knee", "kind": "mesh",
      "vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 1], [2, 1, 1]],
      "faces": [[0, 1, 2, 3], [3, 2, 4]], "domain": {"kind": "torus", "height": 2},
@@ -93,6 +96,23 @@ def curves(draw):
     return PlusCurve(draw(bases(size)), lines, draw(coordinates))
 
 
+@st.composite
+def surfaces(draw):
+    """Any surface that a file can hold."""
+    rows, columns = draw(st.integers(2, 4)), draw(st.integers(2, 4))
+
+    def net(entry):
+        row = st.lists(entry, min_size=columns, max_size=columns)
+        return st.lists(row, min_size=rows, max_size=rows)
+
+    vector = st.tuples(*[coordinates] * 3)
+    directions = st.none() | net(st.none() | vector)
+    planes = ControlPlanes.of(
+        draw(net(vector)), draw(directions), draw(directions), draw(st.none() | net(positive))
+    )
+    return PlusSurface(draw(bases(rows)), draw(bases(columns)), planes, draw(coordinates))
+
+
 words = st.text(max_size=8)
 json_values = st.recursive(
     st.none() | st.booleans() | st.integers() | st.floats(allow_nan=False, allow_infinity=False)
@@ -106,21 +126,23 @@ styles = st.builds(
     st.none() | st.floats(0.0, 1e6),
 )
 shapes = st.builds(
-    Shape, curves(), words, visible=st.booleans(), locked=st.booleans(), style=styles
+    Shape, curves() | surfaces(), words, visible=st.booleans(), locked=st.booleans(), style=styles
 )
 designs = st.builds(Design, st.dictionaries(words.map(ShapeId), shapes, max_size=3))
 
 
-def bits(curve):
-    """All that makes a curve, for comparing to the last bit."""
-    lines = curve.lines
-    arrays = [lines.points, lines.given, lines.automatic, lines.weights, np.float64(curve.s)]
-    return repr(curve.basis), [None if a is None else a.tobytes() for a in arrays]
+def bits(geometry):
+    """All that makes a curve or a surface, for comparing to the last bit."""
+    net = geometry.net
+    arrays = [net.control_points, net.given_vectors, net.automatic_vectors, net.weight_row]
+    bases = [geometry.basis] if isinstance(geometry, PlusCurve) else geometry.bases
+    numbers = [*arrays, np.float64(geometry.s)]
+    return repr(bases), [None if a is None else (a.shape, a.tobytes()) for a in numbers]
 
 
 def contents(design):
-    """All that makes a design of curves, likewise."""
+    """All that makes a design of curves and surfaces, likewise."""
     return [
-        (i, shape.name, shape.visible, shape.locked, shape.style, bits(shape.curve))
+        (i, shape.name, shape.visible, shape.locked, shape.style, bits(shape.plus))
         for i, shape in design.shapes.items()
     ]

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from math import isfinite
 
-from plusedit.document.shape import Json
+from plusedit.document.shape import Json, Tree
 from plusedit.io.formats import FormatError
 from plusedit.io.json_text import shown
 
@@ -143,6 +143,20 @@ def row(value: Json, key: str) -> list[float]:
     if not all(map(is_number, value)):
         raise expected(key, "finite numbers", next(x for x in value if not is_number(x)))
     return [float(entry) for entry in value]  # type: ignore[arg-type]
+
+
+def vector(value: Json, key: str, width: int) -> list[float]:
+    """A row of `width` finite numbers; `key` says which one it is."""
+    found = row(value, key)
+    if len(found) != width:
+        raise FormatError(f"{key} has {of_number(len(found), 'number')}, expected {width}")
+    return found
+
+
+def nested(tree: Tree, key: str) -> Tree:
+    """The object under that key; an empty one where there is none."""
+    value = tree.get(key)
+    return value if isinstance(value, Mapping) else {}
 
 
 def kept(tree: Object, known: frozenset[str]) -> Object:

@@ -19,6 +19,7 @@ MOST_BRACKETS = 4_000_000  # a list takes some 100 bytes of memory however short
 MOST_COMMAS = 20_000_000
 LONGEST_WHOLE = 308  # digits of a whole number; longer ones are beyond a double, or take minutes
 WIDTH = 100  # characters of a line, unless a single value is longer
+LEAST = 3  # characters of an entry with its comma and space
 
 ENCODINGS = {
     codecs.BOM_UTF8: "begins with a byte order mark; save it as UTF-8 without one",
@@ -59,7 +60,7 @@ def layout(value: object, indent: str = "", *, opened: int = 0) -> str:
     """`value` as JSON, what is short on one line, but for the outermost `opened` levels."""
     if not isinstance(value, list | tuple | Mapping) or not value:
         return encode(value)
-    if not opened:
+    if not opened and LEAST * len(value) <= WIDTH:
         line = encode(value)
         if len(indent) + len(line) <= WIDTH:
             return line
@@ -147,18 +148,17 @@ def _plain(value: object) -> object:
 
 
 def _row(value: object) -> str | None:
-    """A row of decimals or null, or None where `value` is more: the encoder takes far longer.
-
-    Whoever calls has encoded the whole before, so the numbers are known to be finite.
-    """
+    """A row of decimals or null, or None where `value` is more: the encoder takes far longer."""
     if value is None:
         return "null"
     if type(value) is not list or len(value) > 4:
         return None
     try:
-        return f"[{', '.join(map(float.__repr__, value))}]"
+        words = ", ".join(map(float.__repr__, value))
     except TypeError:
         return None
+    # Numbers that are not finite are left to the encoder, which refuses them.
+    return None if "n" in words else f"[{words}]"
 
 
 def _block(opening: str, parts: list[str], closing: str, indent: str) -> str:

@@ -1,6 +1,7 @@
 """The design file: what is written comes back, and what is wrong is said."""
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -13,9 +14,23 @@ from plusedit.geometry.bases.bernstein import Bernstein
 from plusedit.geometry.bases.bspline import BSpline
 from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.lines import ControlLines
+from plusedit.geometry.planes import ControlPlanes
+from plusedit.geometry.surface import PlusSurface
 from plusedit.io.formats import FormatError
 from plusedit.io.formats.json_document import dumps, loads
-from tests.designs import BOW, DOCUMENT, WING, a_curve, contents, designs, json_values, words
+from tests.designs import (
+    BOW,
+    DOCUMENT,
+    SAIL,
+    WING,
+    a_curve,
+    contents,
+    designs,
+    json_values,
+    words,
+)
+
+KNEE = ShapeId("knee")
 
 OLD_FILES = sorted((Path(__file__).parents[1] / "data/documents").glob("v*/*.json"))
 
@@ -50,7 +65,9 @@ def test_writing_twice_gives_the_same_bytes():
 def test_unknown_keys_are_kept_at_every_level(unknown):
     strange = {f"x-{key}": value for key, value in unknown.items()}
     tree = json.loads(DOCUMENT)
-    for place in (tree, *tree["shapes"], tree["shapes"][0]["basis"], tree["shapes"][0]["style"]):
+    wing, _, sail, _ = tree["shapes"]
+    nested = (wing["basis"], wing["style"], sail["basis_u"], sail["basis_v"], sail["style"])
+    for place in (tree, *tree["shapes"], *nested):
         place.update(strange)
     assert tree_of(read(json.dumps(tree).encode())) == tree
 
@@ -60,6 +77,14 @@ def test_unknown_keys_of_an_edited_curve_are_kept():
     edited = design.with_shape(WING, design[WING].with_curve(a_curve()))
     shape = tree_of(edited)["shapes"][0]
     assert (shape["tag"], shape["basis"]["hint"]) == (["a", None], 3)
+
+
+def test_unknown_keys_of_an_edited_surface_are_kept():
+    design = read()
+    sail = design.surface(SAIL)
+    edited = design.with_shape(SAIL, design[SAIL].with_plus(replace(sail, s=9.0)))
+    shape = tree_of(edited)["shapes"][2]
+    assert (shape["fabric"], shape["basis_v"]["ply"], shape["s"]) == ("dacron", 2, 9.0)
 
 
 def test_a_key_of_another_family_does_not_come_to_life():
@@ -72,27 +97,21 @@ def test_a_key_of_another_family_does_not_come_to_life():
     assert saved == {"family": "bspline", "order": 4}
 
 
-@pytest.mark.parametrize("place", ["sail", "knee"])
-def test_what_is_not_drawn_yet_is_kept_untouched(place):
-    shape = read()[ShapeId(place)]
-    assert isinstance(shape.geometry, NotDrawn)
-    [before] = [tree for tree in json.loads(DOCUMENT)["shapes"] if tree["id"] == place]
-    [after] = [tree for tree in tree_of(read())["shapes"] if tree["id"] == place]
-    assert after == before
+def test_what_is_not_drawn_yet_is_kept_untouched():
+    assert isinstance(read()[KNEE].geometry, NotDrawn)
+    assert tree_of(read())["shapes"][3] == json.loads(DOCUMENT)["shapes"][3]
 
 
 def test_what_is_not_drawn_yet_can_be_renamed_and_hidden():
     design = read()
-    sail = ShapeId("sail")
-    shape = design[sail]
-    hidden = Shape(shape.geometry, "Main sail", visible=False, extra=shape.extra)
-    tree = tree_of(design.with_shape(sail, hidden))["shapes"][2]
-    assert (tree["name"], tree["visible"], tree["fabric"]) == ("Main sail", False, "dacron")
+    hidden = replace(design[KNEE], name="Knie", visible=False)
+    tree = tree_of(design.with_shape(KNEE, hidden))["shapes"][3]
+    assert (tree["name"], tree["visible"], tree["smoothness"]) == ("Knie", False, 0.7)
 
 
 def test_what_is_not_drawn_yet_is_told():
     [note] = loads(DOCUMENT, "bow.json").notes
-    assert note == "1 surface and 1 mesh kept as in the file, not yet drawn"
+    assert note == "1 mesh kept as in the file, not yet drawn"
 
 
 def test_defaults_are_not_written():
@@ -115,6 +134,28 @@ def test_defaults_are_not_written():
 def test_automatic_directions_are_null():
     tree = tree_of(one_shape(Shape(a_curve(), "wing")))
     assert tree["shapes"][0]["directions"] == [None, [0.6, 0.8], None, None]
+
+
+def test_automatic_directions_of_a_surface_are_null_and_all_of_them_go_unsaid():
+    sail = tree_of(read())["shapes"][2]
+    assert sail["directions_u"] == [[None, [1.0, 0.0, 0.0], None], [None, None, None]]
+    assert "directions_v" not in sail
+
+
+def test_points_run_along_v_in_rows_along_u():
+    planes = read().surface(SAIL).planes
+    assert planes.shape == (2, 3)
+    assert planes.points[1, 2].tolist() == [1.0, 1.0, 2.0]
+    assert planes.given[0, 0, 1].tolist() == [1.0, 0.0, 0.0]
+    assert planes.weights[0].tolist() == [1.0, 2.0, 3.0]
+
+
+def test_all_defaults_of_a_surface_go_unsaid():
+    planes = ControlPlanes.of([[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 1]]])
+    surface = PlusSurface(Bernstein(2), BSpline(2, 2), planes)
+    [tree] = tree_of(one_shape(Shape(surface, "wing")))["shapes"]
+    assert set(tree) == {"id", "kind", "s", "basis_u", "basis_v", "points"}
+    assert read(dumps(one_shape(Shape(surface, "wing")))).surface(WING).planes.weights is None
 
 
 def test_a_direction_of_zero_is_not_automatic():

@@ -4,47 +4,41 @@ A file is taken whole or not at all. Keys that mean nothing to this program are 
 back, at the top, in shapes, in bases and in styles.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from types import MappingProxyType
-
-import numpy as np
 
 from plusedit.document.design import Design
 from plusedit.document.shape import Geometry, Json, NotDrawn, Shape, ShapeId, Style, Tree
-from plusedit.geometry.arrays import Floats
-from plusedit.geometry.curve import PlusCurve
-from plusedit.geometry.lines import ControlLines
-from plusedit.io.basis_fields import basis_tree, read_basis
+from plusedit.geometry.surface import PlusSurface
+from plusedit.io.curve_fields import CURVE_KEYS, curve_tree, read_curve
 from plusedit.io.fields import (
     Object,
     check_kept,
-    counted,
     expected,
     flag,
     kept,
+    nested,
     number,
-    numbers,
     object_of,
     of_number,
     required,
-    row,
-    rows,
     text,
     within,
 )
 from plusedit.io.formats import FormatError, Loaded, register
 from plusedit.io.json_text import document, parse, shown
-from plusedit.io.not_drawn import MESH_KEYS, SURFACE_KEYS, check_mesh, check_surface
+from plusedit.io.not_drawn import MESH_KEYS, check_mesh
+from plusedit.io.surface_fields import SURFACE_KEYS, read_surface, surface_tree
 
 FORMAT = "plusedit-design"
 VERSION = 1
 
 TOP = frozenset({"format", "version", "shapes", "view"})
 SHARED = frozenset({"id", "kind", "name", "visible", "locked", "style"})
-CURVE = frozenset({"s", "basis", "points", "directions", "weights"})
 STYLE = frozenset({"color", "width"})
 
-CHECKS = {"surface": (check_surface, SURFACE_KEYS), "mesh": (check_mesh, MESH_KEYS)}
+KEYS = {"curve": CURVE_KEYS, "surface": SURFACE_KEYS, "mesh": MESH_KEYS}
+"""By kind: what a shape has besides what all have."""
 
 MIGRATIONS: dict[int, Callable[[Object], Object]] = {}
 """By version: what makes a tree of that version one of the next."""
@@ -131,30 +125,31 @@ def _id(entry: Json, where: str) -> ShapeId:
 
 def _shape(shape_id: ShapeId, tree: Object) -> Shape:
     kind = text(required(tree, "kind"), "kind")
-    unknown: Object = {}
-    of_basis: Object = {}
-    if kind == "curve":
-        geometry: Geometry
-        geometry, of_basis = _curve(tree)
-        unknown = kept(tree, SHARED | CURVE)
-    elif kind in CHECKS:
-        check, known = CHECKS[kind]
-        check(tree)
-        kept(tree, SHARED | known)
-        rest = {key: value for key, value in tree.items() if key not in SHARED}
-        geometry = NotDrawn(kind, MappingProxyType(rest))
-    else:
+    if kind not in KEYS:
         raise expected("kind", '"curve", "surface" or "mesh"', kind)
+    geometry, of_bases = _geometry(kind, tree)
+    unknown = kept(tree, SHARED | KEYS[kind])
     style, of_style = _style(tree.get("style", {}))
-    nested = {"basis": of_basis, "style": of_style}
+    inside = {key: found for key, found in {**of_bases, "style": of_style}.items() if found}
     return Shape(
         geometry,
         name=text(tree.get("name", shape_id), "name"),
         visible=flag(tree.get("visible", True), "visible"),
         locked=flag(tree.get("locked", False), "locked"),
         style=style,
-        extra=MappingProxyType({**unknown, **{key: tree for key, tree in nested.items() if tree}}),
+        extra=MappingProxyType({**unknown, **inside}),
     )
+
+
+def _geometry(kind: str, tree: Object) -> tuple[Geometry, dict[str, Object]]:
+    """What `tree` says to draw, and the unknown keys of its bases, by the keys of those."""
+    if kind == "curve":
+        return read_curve(tree)
+    if kind == "surface":
+        return read_surface(tree)
+    check_mesh(tree)
+    known = {key: tree[key] for key in tree if key in KEYS[kind]}
+    return NotDrawn(kind, MappingProxyType(known)), {}
 
 
 def _style(value: Json) -> tuple[Style, Object]:
@@ -168,47 +163,8 @@ def _style(value: Json) -> tuple[Style, Object]:
     return style, unknown
 
 
-def _curve(tree: Object) -> tuple[PlusCurve, Object]:
-    """The curve, and the unknown keys of its basis."""
-    s = number(required(tree, "s"), "s")
-    points = np.array(_at_least_two(rows(required(tree, "points"), "points", (2, 3))))
-    basis, unknown = read_basis(required(tree, "basis"), "basis", len(points))
-    given, automatic = np.zeros_like(points), np.ones(len(points), dtype=bool)
-    if "directions" in tree:
-        entries = counted(tree["directions"], "directions", len(points), "points")
-        for i, entry in enumerate(entries):
-            if entry is not None:
-                given[i], automatic[i] = _direction(entry, i, points.shape[1]), False
-    weights = None if "weights" not in tree else _weights(tree["weights"], len(points))
-    return PlusCurve(basis, ControlLines(points, given, automatic, weights), s), unknown
-
-
-def _at_least_two(entries: list[list[float]]) -> list[list[float]]:
-    """The rows of points, if they are enough for a curve."""
-    if len(entries) < 2:
-        raise FormatError("points: has 1 row, a curve needs 2 or more")
-    return entries
-
-
-def _direction(value: Json, place: int, width: int) -> list[float]:
-    direction = row(value, f"directions: row {place}")
-    if len(direction) != width:
-        count = of_number(len(direction), "number")
-        raise FormatError(f"directions: row {place} has {count}, rows of points have {width}")
-    return direction
-
-
-def _weights(value: Json, count: int) -> Floats:
-    weights = np.array(numbers(counted(value, "weights", count, "points"), "weights"))
-    if (weights <= 0.0).any():
-        place = int((weights <= 0.0).argmax())
-        raise FormatError(f"weights: must be positive, number {place} is {weights[place]:g}")
-    return weights
-
-
 def _shape_tree(shape_id: ShapeId, shape: Shape) -> Tree:
-    geometry = shape.geometry
-    kind = geometry.kind if isinstance(geometry, NotDrawn) else "curve"
+    kind, own = _own_tree(shape)
     tree: dict[str, Json] = {"id": shape_id, "kind": kind}
     if shape.name != shape_id:
         tree["name"] = shape.name
@@ -216,13 +172,20 @@ def _shape_tree(shape_id: ShapeId, shape: Shape) -> Tree:
         tree["visible"] = False
     if shape.locked:
         tree["locked"] = True
-    style = _style_tree(shape.style, _nested(shape.extra, "style"))
+    style = _style_tree(shape.style, nested(shape.extra, "style"))
     if style:
         tree["style"] = style
+    return {**tree, **own, **_without(shape.extra, SHARED | KEYS[kind])}
+
+
+def _own_tree(shape: Shape) -> tuple[str, Tree]:
+    """Its kind, and what only shapes of that kind have."""
+    geometry = shape.geometry
     if isinstance(geometry, NotDrawn):
-        return {**tree, **_without(geometry.tree, SHARED)}
-    tree |= _curve_tree(geometry, _nested(shape.extra, "basis"))
-    return {**tree, **_without(shape.extra, SHARED | CURVE)}
+        return geometry.kind, _without(geometry.tree, SHARED)
+    if isinstance(geometry, PlusSurface):
+        return "surface", surface_tree(geometry, shape.extra)
+    return "curve", curve_tree(geometry, shape.extra)
 
 
 def _style_tree(style: Style, extra: Tree) -> Tree:
@@ -230,30 +193,10 @@ def _style_tree(style: Style, extra: Tree) -> Tree:
     return {**{k: v for k, v in said.items() if v is not None}, **_without(extra, STYLE)}
 
 
-def _curve_tree(curve: PlusCurve, extra: Tree) -> Tree:
-    lines = curve.lines
-    tree: dict[str, Json] = {"s": float(curve.s), "basis": basis_tree(curve.basis, extra)}
-    tree["points"] = lines.points.tolist()
-    if not lines.automatic.all():
-        rows_of_lines = zip(lines.automatic.tolist(), lines.given.tolist(), strict=True)
-        tree["directions"] = [None if automatic else row for automatic, row in rows_of_lines]
-    if lines.weights is not None:
-        tree["weights"] = lines.weights.tolist()
-    return tree
-
-
-def _nested(extra: Tree, key: str) -> Tree:
-    value = extra.get(key)
-    return value if isinstance(value, Mapping) else {}
-
-
 def _without(tree: Tree, known: frozenset[str]) -> Tree:
     return {key: value for key, value in tree.items() if key not in known}
 
 
 def _notes(design: Design) -> tuple[str, ...]:
-    kinds = [s.geometry.kind for s in design.shapes.values() if isinstance(s.geometry, NotDrawn)]
-    found = [of_number(kinds.count(kind), kind) for kind in CHECKS if kind in kinds]
-    if not found:
-        return ()
-    return (f"{' and '.join(found)} kept as in the file, not yet drawn",)
+    count = sum(isinstance(shape.geometry, NotDrawn) for shape in design.shapes.values())
+    return (f"{of_number(count, 'mesh')} kept as in the file, not yet drawn",) if count else ()
