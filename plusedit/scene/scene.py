@@ -136,8 +136,11 @@ def _handles(
     active = selection.active
     # Those of selected shapes come last: they lie in front, as they are what a click takes.
     for shape_id in sorted(shapes, key=lambda i: i in selection.shapes):
+        curve = design[shape_id].curve
+        if curve is None:
+            continue
         yield from control_line_items(
-            design.curve(shape_id),
+            curve,
             camera,
             selected=lines.get(shape_id, ()),
             active=active.number if active is not None and active.shape == shape_id else None,
