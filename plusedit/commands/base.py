@@ -103,22 +103,28 @@ class Together(Command):
 
 def counted(targets: Targets, verb: str, noun: str = "control line") -> str:
     """Such as "Move control line" or "Move 3 control lines"."""
-    return f"{verb} {_many(_count(targets.values()), noun)}"
+    count = sum(len(rows) for rows in targets.values())
+    return f"{verb} {many({noun: count})}"
 
 
 def named(design: Design, targets: Targets) -> str:
     """Such as "3 control planes", or "control line and 2 control planes"."""
-    by_noun = {"control line": 0, "control plane": 0}
+    counts = {"control line": 0, "control plane": 0}
     for shape_id, rows in targets.items():
         is_surface = shape_id in design and design[shape_id].surface is not None
-        by_noun["control plane" if is_surface else "control line"] += len(rows)
-    parts = [_many(count, noun) for noun, count in by_noun.items() if count]
-    return " and ".join(parts) or _many(0, "control line")
+        counts["control plane" if is_surface else "control line"] += len(rows)
+    return many(counts)
+
+
+def many(counts: Mapping[str, int]) -> str:
+    """How many of each, by their names in the singular, such as "row and 2 columns"."""
+    parts = [noun if count == 1 else f"{count} {noun}s" for noun, count in counts.items() if count]
+    return " and ".join(parts) or f"0 {next(iter(counts))}s"
 
 
 def of_curves(ids: Iterable[ShapeId], verb: str, noun: str = "curve") -> str:
     """Such as "Reverse curve" or "Reverse 3 curves"."""
-    return f"{verb} {_many(len(tuple(ids)), noun)}"
+    return f"{verb} {many({noun: len(tuple(ids))})}"
 
 
 def kind_of(design: Design, ids: Iterable[ShapeId]) -> str:
@@ -129,14 +135,6 @@ def kind_of(design: Design, ids: Iterable[ShapeId]) -> str:
         if (shape := design.shapes.get(shape_id)) is not None
     }
     return kinds.pop() if len(kinds) == 1 else "shape"
-
-
-def _many(count: int, noun: str) -> str:
-    return noun if count == 1 else f"{count} {noun}s"
-
-
-def _count(groups: Iterable[tuple[int, ...]]) -> int:
-    return sum(len(rows) for rows in groups)
 
 
 def edit_shapes(

@@ -1,9 +1,12 @@
-"""Edits of how many control lines a curve has."""
+"""Edits of how many control lines a curve has, and deleting lines and planes alike."""
 
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
-from plusedit.commands.base import Command, Targets, counted, edit_curves, unlocked
+import numpy as np
+
+from plusedit.commands.base import Command, NetCommand, edit_curves, unlocked
+from plusedit.commands.planes import DeletePlanes, kept_planes, split
 from plusedit.document.design import Design, EditError
 from plusedit.document.selection import LineId, Selection
 from plusedit.document.shape import ShapeId
@@ -15,42 +18,52 @@ from plusedit.geometry.sizes import with_end_line, without_lines
 
 
 @dataclass(frozen=True, eq=False)
-class DeleteLines(Command):
-    """Take control lines away; a curve that would keep fewer than 2 goes as a whole."""
+class DeleteLines(NetCommand):
+    """Take control lines away, and whole rows and columns of control planes.
 
-    targets: Targets
+    A curve that would keep fewer than 2 lines goes as a whole, and so does a surface that would
+    keep fewer than 2 x 2 planes. EditError where planes make up no whole rows or columns.
+    """
 
     @property
-    def label(self) -> str:
-        return counted(self.targets, "Delete")
+    def verb(self) -> str:
+        return "Delete"
+
+    def label_in(self, design: Design) -> str:
+        lines, planes = split(design, self.targets)
+        return super().label_in(design) if lines else DeletePlanes(planes).label_in(design)
 
     def apply(self, design: Design) -> Design:
+        lines, planes = split(design, self.targets)
         gone = [
             shape_id
-            for shape_id, rows in self.targets.items()
+            for shape_id, rows in lines.items()
             if rows and len(design.curve(shape_id).lines) - len(set(rows)) < 2
         ]
-        left = {i: rows for i, rows in self.targets.items() if rows and i not in gone}
+        left = {i: rows for i, rows in lines.items() if rows and i not in gone}
         design = edit_curves(design, left, lambda i, curve: without_lines(curve, left[i]))
         for shape_id in gone:
             unlocked(design, shape_id)
+        design = DeletePlanes(planes).apply(design)
         return design.without(*gone) if gone else design
 
     def reselect(self, selection: Selection, old: Design, new: Design) -> Selection:
-        """Lines that stay keep being selected; else the neighbour, so that Delete can go on."""
-        kept: list[LineId] = []
-        for line in selection.lines:
-            gone = self.targets.get(line.shape, ())
-            if line.shape in new and line.number not in gone:
-                kept.append(
-                    LineId(line.shape, line.number - sum(row < line.number for row in gone))
-                )
-        shapes = frozenset(shape_id for shape_id in selection.shapes if shape_id in new)
-        if kept or len(self.targets) != 1:
-            return Selection(frozenset(kept), shapes)
-        (shape_id, rows), *_ = self.targets.items()
+        """What stays keeps being selected; else the neighbor, so that Delete can go on."""
+        lines, planes = split(old, self.targets)
+        if not lines:
+            return DeletePlanes(planes).reselect(selection, old, new)
+        numbers = {
+            shape_id: np.setdiff1d(np.arange(len(old.curve(shape_id).lines)), rows)
+            for shape_id, rows in lines.items()
+            if shape_id in new
+        }
+        numbers |= kept_planes(old, new, planes)
+        kept = selection.renumbered(numbers).cut_to(new)
+        if kept.lines or len(self.targets) != 1:
+            return kept
+        (shape_id, rows), *_ = lines.items()
         if shape_id not in new or not rows:
-            return Selection(shapes=shapes)
+            return kept
         last = len(new.curve(shape_id).lines) - 1
         return Selection.of_lines([LineId(shape_id, min(max(min(rows) - 1, 0), last))])
 

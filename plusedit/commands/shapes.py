@@ -7,8 +7,6 @@ here too.
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 
-import numpy as np
-
 from plusedit.commands.base import (
     Command,
     Targets,
@@ -19,8 +17,9 @@ from plusedit.commands.base import (
 )
 from plusedit.commands.growth import AppendLine, DeleteLines, InsertLine
 from plusedit.commands.lines import MovePoints
+from plusedit.commands.naming import free_name, stem_of
 from plusedit.document.design import Design, EditError
-from plusedit.document.selection import LineId, Selection
+from plusedit.document.selection import Selection
 from plusedit.document.shape import Shape, ShapeId, Style
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.transforms import reversed_curve, reversed_rows
@@ -111,26 +110,6 @@ class Duplicate(Command):
 
     def reselect(self, selection: Selection, old: Design, new: Design) -> Selection:
         return Selection.of_shapes(shape_id for shape_id in new if shape_id not in old)
-
-
-def stem_of(shape_id: ShapeId) -> str:
-    """The id without a number at its end: "curve" of "curve-3"."""
-    stem, dash, number = shape_id.rpartition("-")
-    return stem if dash and stem and number.isdigit() else shape_id
-
-
-def free_name(design: Design, name: str) -> str:
-    """The name with the first number that makes it new: "Bow 2" where there is "Bow"."""
-    names = {shape.name for shape in design.shapes.values()}
-    if name not in names:
-        return name
-    stem, space, number = name.rpartition(" ")
-    if not (space and stem and number.isdigit()):
-        stem = name
-    counter = 2
-    while f"{stem} {counter}" in names:
-        counter += 1
-    return f"{stem} {counter}"
 
 
 @dataclass(frozen=True, eq=False)
@@ -255,11 +234,4 @@ class ReverseCurves(Command):
         return edit_curves(design, self.ids, lambda _, curve: reversed_curve(curve))
 
     def reselect(self, selection: Selection, old: Design, new: Design) -> Selection:
-        def there(line: LineId) -> LineId:
-            if line.shape not in self.ids:
-                return line
-            rows = reversed_rows(old.curve(line.shape).basis)
-            return LineId(line.shape, int(np.flatnonzero(rows == line.number)[0]))
-
-        active = None if selection.active is None else there(selection.active)
-        return Selection(frozenset(map(there, selection.lines)), selection.shapes, active)
+        return selection.renumbered({i: reversed_rows(old.curve(i).basis) for i in self.ids})

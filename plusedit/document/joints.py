@@ -7,6 +7,7 @@ segments touch, their end lines are one joint to a person, who would not want to
 from plusedit.document.design import Design
 from plusedit.document.selection import LineId
 from plusedit.document.shape import Json, Shape, ShapeId
+from plusedit.geometry.curve import PlusCurve
 
 
 def path_of(shape: Shape) -> Json:
@@ -26,26 +27,27 @@ def whole_path(design: Design, shape_id: ShapeId) -> tuple[ShapeId, ...]:
 def joined(design: Design, line: LineId) -> frozenset[LineId]:
     """`line` and the lines it is joined to: ends of its path, at the very same point.
 
-    Only those that can be edited count.
+    Only those that can be edited count. A control plane is joined to nothing.
     """
-    point = design.curve(line.shape).lines.points[line.number]
     found = {line}
-    if path_of(design[line.shape]) is None or line not in _ends(design, line.shape):
+    curve = design[line.shape].curve
+    if curve is None or path_of(design[line.shape]) is None or line not in _ends(line.shape, curve):
         return frozenset(found)
+    point = curve.lines.points[line.number]
     for shape_id in whole_path(design, line.shape):
-        if design[shape_id].editable:
-            points = design.curve(shape_id).lines.points
+        other = design[shape_id].curve
+        if other is not None and design[shape_id].editable:
+            points = other.lines.points
             found |= {
                 end
-                for end in _ends(design, shape_id)
+                for end in _ends(shape_id, other)
                 if points.shape[1] == len(point) and (points[end.number] == point).all()
             }
     return frozenset(found)
 
 
-def _ends(design: Design, shape_id: ShapeId) -> tuple[LineId, ...]:
+def _ends(shape_id: ShapeId, curve: PlusCurve) -> tuple[LineId, ...]:
     """The first and the last line of an open curve."""
-    curve = design.curve(shape_id)
     if curve.closed:
         return ()
     return LineId(shape_id, 0), LineId(shape_id, len(curve.lines) - 1)

@@ -5,6 +5,9 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import NamedTuple
 
+import numpy as np
+from numpy.typing import NDArray
+
 from plusedit.document.design import Design
 from plusedit.document.shape import ShapeId
 
@@ -84,6 +87,26 @@ class Selection:
             if shape_id in self.shapes and geometry is not None and design[shape_id].editable:
                 found[shape_id] = lines.get(shape_id, tuple(range(len(geometry.net))))
         return found
+
+    def renumbered(self, old_numbers: Mapping[ShapeId, NDArray[np.intp]]) -> "Selection":
+        """The same lines under other numbers; those that are no longer there are left out.
+
+        For every shape whose lines were renumbered, the old number of each line that it has now.
+        """
+        there = {
+            LineId(shape_id, old): LineId(shape_id, new)
+            for shape_id, numbers in old_numbers.items()
+            for new, old in enumerate(numbers.tolist())
+        }
+        lines = frozenset(
+            there.get(line, line)
+            for line in self.lines
+            if line in there or line.shape not in old_numbers
+        )
+        active = self.active
+        if active is not None and active.shape in old_numbers:
+            active = there.get(active)
+        return Selection(lines, self.shapes, active)
 
     def cut_to(self, design: Design) -> "Selection":
         """Without what the design does not have; itself if nothing goes."""

@@ -8,7 +8,8 @@ from numpy.typing import ArrayLike
 from plusedit.commands.base import Command, Together
 from plusedit.commands.curves import ChangeOrder, CloseSmoothly, SetClosed, SetMagnitude
 from plusedit.commands.growth import is_usual, usual_s
-from plusedit.commands.shapes import AddShapes, AppendLine, DeleteLines, free_name
+from plusedit.commands.naming import free_name
+from plusedit.commands.shapes import AddShapes, AppendLine, DeleteLines
 from plusedit.document.design import Design
 from plusedit.document.selection import LineId, Selection
 from plusedit.document.shape import Shape, ShapeId
