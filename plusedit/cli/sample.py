@@ -15,14 +15,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--at",
         metavar="PARAMETERS.json",
-        help='where, by shape: {"wing": {"u": [0, 0.5, 1]}}; shapes not named are left out',
+        help='where, by shape: {"wing": {"u": [0, 0.5, 1]}, "sail": {"u": [0, 1], "v": [0.5]}}; '
+        "of a surface every pair; shapes not named are left out",
     )
     parser.add_argument(
         "--count",
         metavar="N",
         type=_count,
         default=USUAL_COUNT,
-        help=f"without --at: how many evenly spaced parameters (default {USUAL_COUNT})",
+        help="without --at: how many evenly spaced parameters, on a surface each way "
+        f"(default {USUAL_COUNT})",
     )
     parser.add_argument(
         "--derivatives",
@@ -30,7 +32,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         type=int,
         choices=(0, 1, 2),
         default=2,
-        help="the highest derivative to write (default 2)",
+        help="the highest order of derivatives to write (default 2)",
     )
     parser.add_argument("-o", metavar="OUT.json", dest="out", help="instead of standard output")
 
@@ -57,7 +59,7 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.at is None:
         for shape_id in left_out(design, places):
             name = shown(design[shape_id].name)
-            print(f"{name} is left out: only curves can be sampled yet", file=sys.stderr)
+            print(f"{name} is left out: a mesh can't be sampled yet", file=sys.stderr)
     return 0
 
 

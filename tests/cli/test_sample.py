@@ -7,8 +7,15 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from plusedit.__main__ import main
+from plusedit.document.design import Design
+from plusedit.document.shape import Shape
 from plusedit.io.files import load, save
-from tests.designs import BOW, DOCUMENT, WING, a_design
+from tests.designs import BOW, DOCUMENT, SAIL, WING, a_design
+from tests.geometry.definition import surface_definition
+from tests.geometry.surfaces import PAIRS, random_surface
+
+SMOOTH = [pair for pair in PAIRS if "staircase" not in pair]  # that one magnifies every rounding
+SURFACE_KEYS = ("position", "du", "dv", "duu", "duv", "dvv")
 
 
 @pytest.fixture
@@ -103,16 +110,80 @@ def test_the_output_can_be_a_file(bow, sampled, tmp_path, capsys):
     assert json.loads((tmp_path / "out.json").read_bytes())["shapes"] == on_screen
 
 
-def test_surfaces_and_meshes_are_left_out_with_a_note(document, capsys):
-    assert main(["sample", str(document)]) == 0
+def test_meshes_are_left_out_with_a_note(document, capsys):
+    assert main(["sample", str(document), "--count", "3"]) == 0
     out, notes = capsys.readouterr()
-    assert list(json.loads(out)["shapes"]) == ["wing", "bow"]
-    assert [line.split(" is left out")[0] for line in notes.splitlines()] == ['"sail"', '"knee"']
+    assert list(json.loads(out)["shapes"]) == ["wing", "bow", "sail"]
+    assert notes == '"knee" is left out: a mesh can\'t be sampled yet\n'
 
 
-def test_a_surface_that_is_named_is_refused(document, refused, at):
-    told = refused(document, "--at", at({"sail": {"u": [0], "v": [0]}}))
-    assert told == 'at.json: shape "sail": a surface can\'t be sampled yet'
+def test_a_mesh_that_is_named_is_refused(document, refused, at):
+    told = refused(document, "--at", at({"knee": {"uv": [[0, 0]]}}))
+    assert told == 'at.json: shape "knee": a mesh can\'t be sampled yet'
+
+
+def test_every_surface_is_sampled_evenly_each_way(document, sampled):
+    sail = sampled(document, "--count", 3)["sail"]
+    assert sail["u"] == sail["v"] == [0.0, 0.5, 1.0]
+    assert all(np.shape(sail[key]) == (3, 3, 3) for key in SURFACE_KEYS)
+
+
+def test_points_of_a_surface_run_along_v_in_rows_along_u(document, sampled, at):
+    sail = sampled(document, "--at", at({"sail": {"u": [0, 0.3], "v": [0, 0.5, 0.9]}}))["sail"]
+    [[alone]] = sampled(document, "--at", at({"sail": {"u": [0.3], "v": [0.9]}}))["sail"]["duv"]
+    assert np.shape(sail["duv"]) == (2, 3, 3)
+    assert_allclose(sail["duv"][1][2], alone, rtol=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("highest", "keys"),
+    [(0, SURFACE_KEYS[:1]), (1, SURFACE_KEYS[:3]), (2, SURFACE_KEYS)],
+)
+def test_derivatives_of_a_surface_are_written_up_to_the_highest(document, sampled, highest, keys):
+    sail = sampled(document, "--count", 2, "--derivatives", highest)["sail"]
+    assert list(sail) == ["u", "v", *keys]
+
+
+@pytest.mark.parametrize("kinds", SMOOTH, ids="-".join)
+@pytest.mark.parametrize("contrast", [None, 3.0], ids=["plain", "weighted"])
+def test_numbers_of_a_surface_are_those_of_the_definition(tmp_path, sampled, at, kinds, contrast):
+    surface = random_surface(*kinds, shape=(4, 5), contrast=contrast, seed=7)
+    save(Design({SAIL: Shape(surface, "sail")}), tmp_path / "sail.json")
+    u, v = [0.0, 0.137, 0.5], [0.71, 1.0]
+    found = sampled(tmp_path / "sail.json", "--at", at({"sail": {"u": u, "v": v}}))[SAIL]
+    by_the_book = np.array([[surface_definition(surface, x, y) for y in v] for x in u])
+    for k, key in enumerate(SURFACE_KEYS):
+        wanted = by_the_book[:, :, k].astype(float)
+        assert_allclose(found[key], wanted, rtol=0, atol=1e-12 * max(1.0, abs(wanted).max()))
+
+
+def test_parameters_outside_are_clamped_where_a_surface_is_open_and_wrap_where_it_is_closed(
+    document, sampled, at
+):
+    sail = sampled(document, "--at", at({"sail": {"u": [-3, 0], "v": [-0.75, 0.25, 2.25]}}))[SAIL]
+    assert_allclose(sail["position"], [[sail["position"][1][1]] * 3] * 2, rtol=1e-13)
+
+
+@pytest.mark.parametrize(
+    ("tree", "why"),
+    [
+        ({"u": [0]}, "v: is missing"),
+        ({"v": [0]}, "u: is missing"),
+        ({"u": [0], "v": []}, "v: is empty"),
+        ({"u": [0], "v": [None]}, "v: expected finite numbers, got null"),
+        ({"u": [0], "v": [0], "w": [0]}, '"w": a surface has "u" and "v" alone'),
+        ({"uv": [[0, 0]]}, '"uv": a surface has "u" and "v" alone'),
+    ],
+)
+def test_wrong_parameters_of_a_surface_are_told(document, refused, at, tree, why):
+    told = refused(document, "--at", at({"sail": tree}))
+    assert told == f'at.json: shape "sail": {why}'
+
+
+def test_more_pairs_than_can_be_written_are_refused_at_once(document, refused, at):
+    many = at({"sail": {"u": [0] * 2000, "v": [0] * 2000}})
+    assert "2000 x 2000 parameters are too many" in refused(document, "--at", many)
+    assert "1001 x 1001 parameters are too many" in refused(document, "--count", 1001)
 
 
 @pytest.mark.parametrize(

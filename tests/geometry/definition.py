@@ -1,4 +1,4 @@
-"""Plus curves by the book, in forty digits: the oracle for what is computed fast.
+"""Plus curves and surfaces by the book, in forty digits: the oracle for what is computed fast.
 
 A jet is the list [f, f', f'' / 2] of Taylor coefficients of a function of u.
 """
@@ -11,6 +11,7 @@ from plusedit.geometry.bases.bspline import BSpline
 mp.dps = 40
 FAR = 30  # in sigma: exp(-450) is not seen in forty digits
 ZERO = [mpf(0)] * 3
+ORDERS = ((0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2))
 
 
 def plus(a, b):
@@ -108,3 +109,57 @@ def definition(curve, u):
             top[axis] = plus(top[axis], times(moved, share))
     jets = [over(coordinate, below) for coordinate in top]
     return [jet[0] for jet in jets], [jet[1] for jet in jets], [2 * jet[2] for jet in jets]
+
+
+def surface_definition(surface, u, v):
+    """S, S_u, S_v, S_uu, S_uv and S_vv at one place, as lists of forty-digit numbers."""
+    along_u, along_v = surface.gradients
+    weights = surface.planes.unit_weights
+    top = {order: [mpf(0)] * 3 for order in ORDERS}
+    below = dict.fromkeys(ORDERS, mpf(0))
+    by_v = [(j, away, _derivatives(c)) for j, away, c in terms(surface.basis_v, mpf(float(v)))]
+    for i, away_u, b in terms(surface.basis_u, mpf(float(u))):
+        for j, away_v, c in by_v:
+            bump = _product(_derivatives(b), c, mpf(float(weights[i, j])))
+            below = {order: below[order] + bump[order] for order in ORDERS}
+            for axis in range(3):
+                g, h = mpf(along_u[i, j, axis]), mpf(along_v[i, j, axis])
+                plane = mpf(surface.planes.points[i, j, axis]) + away_u * g + away_v * h
+                for order, value in _on_plane(plane, g, h, bump).items():
+                    top[order][axis] += value
+    return _quotients(top, below)
+
+
+def _derivatives(jet):
+    return jet[0], jet[1], 2 * jet[2]
+
+
+def _product(b, c, weight):
+    """The derivatives of w b(u) c(v)."""
+    return {(r, q): weight * b[r] * c[q] for r, q in ORDERS}
+
+
+def _on_plane(plane, g, h, f):
+    """The derivatives of L f, where L has the derivatives g and h and no more."""
+    return {
+        (0, 0): plane * f[0, 0],
+        (1, 0): plane * f[1, 0] + g * f[0, 0],
+        (0, 1): plane * f[0, 1] + h * f[0, 0],
+        (2, 0): plane * f[2, 0] + 2 * g * f[1, 0],
+        (1, 1): plane * f[1, 1] + g * f[0, 1] + h * f[1, 0],
+        (0, 2): plane * f[0, 2] + 2 * h * f[0, 1],
+    }
+
+
+def _quotients(a, w):
+    """The derivatives of A / w."""
+    found = []
+    for x in range(3):
+        s = a[0, 0][x] / w[0, 0]
+        s_u = (a[1, 0][x] - w[1, 0] * s) / w[0, 0]
+        s_v = (a[0, 1][x] - w[0, 1] * s) / w[0, 0]
+        s_uu = (a[2, 0][x] - 2 * w[1, 0] * s_u - w[2, 0] * s) / w[0, 0]
+        s_uv = (a[1, 1][x] - w[1, 0] * s_v - w[0, 1] * s_u - w[1, 1] * s) / w[0, 0]
+        s_vv = (a[0, 2][x] - 2 * w[0, 1] * s_v - w[0, 2] * s) / w[0, 0]
+        found.append((s, s_u, s_v, s_uu, s_uv, s_vv))
+    return [list(column) for column in zip(*found, strict=True)]
