@@ -54,7 +54,7 @@ def union_hull(curve: PlusCurve, axes: Axes = (0, 1)) -> Floats:
     ValueError for a closed curve of another family.
     """
     if curve.closed:
-        return convex_hull(_span_points(curve).reshape(-1, curve.dimension)[:, list(axes)])
+        return convex_hull(span_points(curve).reshape(-1, curve.dimension)[:, list(axes)])
     return convex_hull(np.concatenate(line_ends(curve))[:, list(axes)])
 
 
@@ -72,11 +72,15 @@ def span_hulls(curve: PlusCurve, axes: Axes = (0, 1)) -> list[Floats]:
     A curve without knots is one piece. ValueError for a closed curve of another family than
     B-splines: all images of its lines have a part everywhere.
     """
-    return [convex_hull(points[:, list(axes)]) for points in _span_points(curve)]
+    return [convex_hull(points[:, list(axes)]) for points in span_points(curve)]
 
 
-def _span_points(curve: PlusCurve) -> Floats:
-    """(p, 2 k, dim) the active lines of every span at both of its ends."""
+def span_points(curve: PlusCurve) -> Floats:
+    """(p, 2 k, dim) the active lines of every span at both of its ends.
+
+    A curve without knots is one span. ValueError for a closed curve of another family than
+    B-splines.
+    """
     basis = curve.basis
     if not isinstance(basis, BSpline):
         if curve.closed:

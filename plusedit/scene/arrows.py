@@ -6,7 +6,7 @@ import numpy as np
 
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.curve import PlusCurve
-from plusedit.scene.camera import PlaneCamera
+from plusedit.scene.camera import Camera
 from plusedit.scene.drawn import drawn
 from plusedit.scene.items import Item, Polygon
 
@@ -14,7 +14,7 @@ FROM_START = 26.0  # pixels along the curve: clear of the first dot and of short
 LENGTH, HALF_WIDTH = 9.0, 4.5  # pixels
 
 
-def direction_arrow(curve: PlusCurve, camera: PlaneCamera) -> Iterator[Item]:
+def direction_arrow(curve: PlusCurve, camera: Camera) -> Iterator[Item]:
     """A filled triangle on the curve, pointing forwards; none on a curve of a few pixels."""
     shown = drawn(curve, camera)
     place = _place(shown.screen)
@@ -24,8 +24,11 @@ def direction_arrow(curve: PlusCurve, camera: PlaneCamera) -> Iterator[Item]:
     across = np.array([-way[1], way[0]])
     back = tip - LENGTH * way
     corners = np.stack([tip, back + HALF_WIDTH * across, back - HALF_WIDTH * across])
-    seen = camera.in_plane(corners)
-    yield Polygon(camera.placed(seen), "selected", "canvas", 1.0)
+    nearest = int(np.hypot(*(shown.screen - tip).T).argmin())
+    like = np.zeros(3)
+    like[: curve.dimension] = shown.points[nearest]
+    seen = np.stack([camera.to_world(corner, like) for corner in corners])
+    yield Polygon(seen, "selected", "canvas", 1.0)
 
 
 def _place(screen: Floats) -> tuple[Floats, Floats] | None:

@@ -1,4 +1,4 @@
-"""A design as items to draw, in layers: overlays, curves, control lines.
+"""A design as items to draw in a plane, in layers: overlays, shapes, control lines and planes.
 
 This is the one place that says how a design looks; windows, pictures and SVG files draw what
 comes from here.
@@ -13,21 +13,21 @@ import numpy as np
 
 from plusedit.document.design import Design
 from plusedit.document.selection import NOTHING_SELECTED, Selection
-from plusedit.document.shape import NotDrawn, Shape, ShapeId
+from plusedit.document.shape import NotDrawn, PlusGeometry, Shape, ShapeId
 from plusedit.geometry.curve import PlusCurve
 from plusedit.scene.arrows import direction_arrow
 from plusedit.scene.camera import PlaneCamera
-from plusedit.scene.control_lines import control_line_items
-from plusedit.scene.drawn import drawn
-from plusedit.scene.handles import handle_shapes
-from plusedit.scene.items import Item, Label, Patch, Polyline, Segments
+from plusedit.scene.drawn_surface import surface_grids
+from plusedit.scene.items import Item
 from plusedit.scene.options import ViewOptions
-from plusedit.scene.overlays import in_order
-
-WIDTH = 2.0  # of a curve whose style says nothing
-THINNEST = 1.0  # pixels
-HALO = 6.0  # pixels by which the glow of a selected curve is wider than the curve
-DIM = "@45"  # locked shapes
+from plusedit.scene.shapes import (
+    curve_items,
+    handle_items,
+    is_finite,
+    overlay_items,
+    shown_shapes,
+    surface_line_items,
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,11 +35,11 @@ class Layers:
     """What to draw, the first layer and the first item of each farthest back."""
 
     overlays: tuple[Item, ...]
-    curves: tuple[Item, ...]
+    shapes: tuple[Item, ...]
     handles: tuple[Item, ...]
 
     def __iter__(self) -> Iterator[Item]:
-        return chain(self.overlays, self.curves, self.handles)
+        return chain(self.overlays, self.shapes, self.handles)
 
 
 def scene_items(
@@ -53,48 +53,39 @@ def scene_items(
 ) -> Layers:
     """How `design` looks; with `only`, how those shapes of it do.
 
-    `glow` is the halo of selected curves, which takes longer than all else of a curve. What is
+    `glow` is the halo of selected shapes, which takes longer than all else of a curve. What is
     too large to be calculated with is left out.
     """
-    shown = [
-        (shape_id, shape, curve)
-        for shape_id, shape in design.shapes.items()
-        if shape.visible
-        and (curve := shape.curve) is not None
-        and (only is None or shape_id in only)
-    ]
-    with_handles = [
-        shape_id
-        for shape_id in handle_shapes(design, selection, options)
-        if only is None or shape_id in only
-    ]
-    overlays = (
+    shown = shown_shapes(design, only)
+    overlays = overlay_items(shown, camera, options)
+    shapes = (
         item
-        for entry in in_order()
-        if entry.name in options.overlays
-        for _, shape, curve in shown
-        for item in entry.draw(shape, curve, camera)
+        for shape_id, shape, geometry in shown
+        for item in _shape(shape, geometry, camera, options, shape_id in selection.shapes, glow)
     )
-    curves = (
-        item
-        for shape_id, shape, curve in shown
-        for item in _curve(shape, curve, camera, shape_id in selection.shapes, glow)
-    )
-    handles = _handles(design, camera, selection, with_handles)
+    handles = handle_items(design, camera, options, selection, only)
     with np.errstate(all="ignore"):
-        return Layers(*(tuple(filter(_is_finite, layer)) for layer in (overlays, curves, handles)))
+        return Layers(*(tuple(filter(is_finite, layer)) for layer in (overlays, shapes, handles)))
 
 
-def _is_finite(item: Item) -> bool:
-    match item:
-        case Segments(starts, ends):
-            return bool(np.isfinite(starts).all() and np.isfinite(ends).all())
-        case Label(at):
-            return bool(np.isfinite(at).all())
-        case Patch():
-            return True
-        case _:
-            return bool(np.isfinite(item.points).all())
+def _shape(
+    shape: Shape,
+    geometry: PlusGeometry,
+    camera: PlaneCamera,
+    options: ViewOptions,
+    selected: bool,
+    glow: bool,
+) -> Iterator[Item]:
+    if isinstance(geometry, PlusCurve):
+        yield from curve_items(shape, geometry, camera, selected=selected, glow=glow)
+        if selected:
+            yield from direction_arrow(geometry, camera)
+        return
+    grids = surface_grids(geometry, camera)
+    color = shape.style.color or "plus"
+    yield from surface_line_items(
+        shape, geometry, grids, color=color, selected=selected, inner=options.isolines, glow=glow
+    )
 
 
 def left_out(design: Design) -> str:
@@ -113,36 +104,3 @@ def left_out(design: Design) -> str:
 
 def _plural(kind: str) -> str:
     return f"{kind}es" if kind.endswith("sh") else f"{kind}s"
-
-
-def _curve(
-    shape: Shape, curve: PlusCurve, camera: PlaneCamera, selected: bool, glow: bool
-) -> Iterator[Item]:
-    points = drawn(curve, camera).points
-    # Thinner than a pixel, a curve would be fainter than its ghost and its polygon.
-    width = WIDTH if shape.style.width is None else max(shape.style.width, THINNEST)
-    if selected and glow:
-        yield Polyline(points, "selected@28", width + HALO)
-    color = shape.style.color or "plus"
-    yield Polyline(points, color + DIM if shape.locked else color, width)
-    if selected:
-        yield from direction_arrow(curve, camera)
-
-
-def _handles(
-    design: Design, camera: PlaneCamera, selection: Selection, shapes: list[ShapeId]
-) -> Iterator[Item]:
-    lines = selection.by_shape()
-    active = selection.active
-    # Those of selected shapes come last: they lie in front, as they are what a click takes.
-    for shape_id in sorted(shapes, key=lambda i: i in selection.shapes):
-        curve = design[shape_id].curve
-        if curve is None:
-            continue
-        yield from control_line_items(
-            curve,
-            camera,
-            selected=lines.get(shape_id, ()),
-            active=active.number if active is not None and active.shape == shape_id else None,
-            quiet=bool(selection) and shape_id not in selection.shapes,
-        )

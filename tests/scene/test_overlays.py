@@ -85,4 +85,4 @@ def test_a_name_stands_centred_below_its_shape():
     assert label.anchor == "center"
     assert label.at[1] <= points[:, 1].min()
     lifted = replace(curve, lines=curve.lines.with_points(points + np.array([5.0, 0.0])))
-    assert_allclose(drawn("names", lifted, Label)[0].at - label.at, [5.0, 0.0], atol=1e-9)
+    assert_allclose(drawn("names", lifted, Label)[0].at - label.at, [5.0, 0.0, 0.0], atol=1e-9)

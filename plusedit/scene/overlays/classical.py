@@ -1,4 +1,4 @@
-"""The classical curve of the same control points: what the control lines pull away from."""
+"""The classical shape of the same control points: what control lines and planes pull away from."""
 
 from collections.abc import Iterator
 
@@ -6,19 +6,37 @@ import numpy as np
 
 from plusedit.document.shape import Shape
 from plusedit.geometry.curve import PlusCurve
-from plusedit.scene.camera import PlaneCamera
+from plusedit.geometry.surface import PlusSurface
+from plusedit.scene.camera import Camera
 from plusedit.scene.drawn import drawn
+from plusedit.scene.drawn_surface import surface_grids
+from plusedit.scene.isolines import isolines
 from plusedit.scene.items import Item, Polyline
 from plusedit.scene.overlays import overlay
 
 STRAIGHT = 1e-9  # what a direction may stray from the stroke
 
+classical = overlay("classical", title="Classical shape", order=40, shortcut="Shift+C")
 
-@overlay("classical", title="Classical curve", order=40, shortcut="Shift+C")
-def draw(shape: Shape, curve: PlusCurve, camera: PlaneCamera) -> Iterator[Item]:
+
+@classical.of_curves
+def classical_curve(shape: Shape, curve: PlusCurve, camera: Camera) -> Iterator[Item]:
     """A thin line; nothing where it is the curve itself: at s = 0, and of a straight stroke."""
     if curve.s != 0.0 and not _is_straight(curve):
         yield Polyline(drawn(curve.classical, camera).points, "classical", 1.0)
+
+
+@classical.of_surfaces
+def classical_surface(shape: Shape, surface: PlusSurface, camera: Camera) -> Iterator[Item]:
+    """Thin lines at the nodes and along the edges; nothing at s = 0, where it is the surface."""
+    if surface.s == 0.0:
+        return
+    ghost = surface.classical
+    lines = isolines(ghost, surface_grids(ghost, camera))
+    for points in (*lines.along_u, *lines.along_v):
+        yield Polyline(points, "classical@50", 1.0)
+    for points in lines.edges:
+        yield Polyline(points, "classical", 1.0)
 
 
 def _is_straight(curve: PlusCurve) -> bool:

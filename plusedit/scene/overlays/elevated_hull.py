@@ -8,20 +8,23 @@ from collections.abc import Iterator
 from plusedit.document.shape import Shape
 from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.elevation import elevated
-from plusedit.geometry.hulls import convex_hull
-from plusedit.scene.camera import PlaneCamera
-from plusedit.scene.items import Item, Markers, Polygon, Polyline
+from plusedit.scene.camera import Camera
+from plusedit.scene.hull_areas import hull_area
+from plusedit.scene.items import Item, Markers, Polyline
 from plusedit.scene.overlays import overlay
 
+elevated_hull = overlay(
+    "elevated_hull", title="Hull of the elevated points", order=20, shortcut="Shift+E"
+)
 
-@overlay("elevated_hull", title="Hull of the elevated points", order=20, shortcut="Shift+E")
-def draw(shape: Shape, curve: PlusCurve, camera: PlaneCamera) -> Iterator[Item]:
+
+@elevated_hull.of_curves
+def of_curve(shape: Shape, curve: PlusCurve, camera: Camera) -> Iterator[Item]:
     """An outlined area with its polygon; nothing for families that have no standard form."""
     try:
         points = elevated(curve).points
     except ValueError:
         return
-    hull = camera.placed(convex_hull(camera.plane(points)))
-    yield Polygon(hull, "union@60", "accent@60", 1.0)
+    yield hull_area(points, camera, "union@60", "accent@60")
     yield Polyline(points, "accent@45", 1.0, "dash")
     yield Markers(points, "diamond", 6.0, None, "accent@70", 1.0)

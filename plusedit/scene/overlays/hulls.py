@@ -10,41 +10,38 @@ from collections.abc import Iterator
 import numpy as np
 
 from plusedit.document.shape import Shape
-from plusedit.geometry.arrays import Floats
 from plusedit.geometry.curve import PlusCurve
-from plusedit.geometry.hulls import convex_hull, parents, span_hulls
-from plusedit.scene.camera import PlaneCamera
+from plusedit.geometry.hulls import parents, span_points
+from plusedit.scene.camera import Camera, PlaneCamera
 from plusedit.scene.drawn import drawn
-from plusedit.scene.items import Item, Polygon, Polyline
+from plusedit.scene.hull_areas import hull_area
+from plusedit.scene.items import Item, Polyline
 from plusedit.scene.overlays import overlay
 
+hulls = overlay("hulls", title="Convex hulls", order=10, shortcut="Shift+H")
 
-@overlay("hulls", title="Convex hulls", order=10, shortcut="Shift+H")
-def draw(shape: Shape, curve: PlusCurve, camera: PlaneCamera) -> Iterator[Item]:
+
+@hulls.of_curves
+def of_curve(shape: Shape, curve: PlusCurve, camera: Camera) -> Iterator[Item]:
     """The hull of the union, the two hulls on it, the two curves on top."""
     if curve.closed:
         yield from _spans(curve, camera)
         return
     two = parents(curve)
-    seen = [camera.plane(parent.lines.points) for parent in two]
-    yield _area(np.concatenate(seen), "union", camera)
-    for points in seen:
-        yield _area(points, "parent", camera)
+    yield hull_area(np.concatenate([parent.lines.points for parent in two]), camera, "union")
+    for parent in two:
+        yield hull_area(parent.lines.points, camera, "parent")
     for parent in two:
         yield Polyline(drawn(parent, camera).points, "classical@70", 1.0)
 
 
-def _area(points: Floats, color: str, camera: PlaneCamera) -> Polygon:
-    return Polygon(camera.placed(convex_hull(points)), color, color, 1.0)
-
-
-def _spans(curve: PlusCurve, camera: PlaneCamera) -> Iterator[Item]:
+def _spans(curve: PlusCurve, camera: Camera) -> Iterator[Item]:
     """The hull of each span of a closed B-spline+; nothing for other families."""
-    if curve.dimension == 2 and camera.projection != "top":
+    if curve.dimension == 2 and isinstance(camera, PlaneCamera) and camera.projection != "top":
         return
     try:
-        hulls = span_hulls(curve, camera.axes)
+        spans = span_points(curve)
     except ValueError:
         return
-    for hull in hulls:
-        yield Polygon(camera.placed(hull), "union@40", "union", 1.0)
+    for points in spans:
+        yield hull_area(points, camera, "union@40", "union")

@@ -5,19 +5,38 @@ from collections.abc import Iterator
 import numpy as np
 
 from plusedit.document.shape import Shape
+from plusedit.geometry.arrays import Floats
 from plusedit.geometry.curve import PlusCurve
-from plusedit.scene.camera import PlaneCamera
+from plusedit.geometry.surface import PlusSurface
+from plusedit.scene.camera import Camera
 from plusedit.scene.drawn import drawn
+from plusedit.scene.drawn_surface import surface_grids
 from plusedit.scene.items import Item, Label
 from plusedit.scene.overlays import overlay
 
 BELOW = 26.0  # pixels from the lowest point to the base line
 
+names = overlay("names", title="Names", order=60, shortcut="Shift+T")
 
-@overlay("names", title="Names", order=60, shortcut="Shift+T")
-def draw(shape: Shape, curve: PlusCurve, camera: PlaneCamera) -> Iterator[Item]:
+
+@names.of_curves
+def curve_name(shape: Shape, curve: PlusCurve, camera: Camera) -> Iterator[Item]:
     """The name, centred under the curve and its control points."""
-    seen = camera.plane(np.concatenate([drawn(curve, camera).points, curve.lines.points]))
-    low, high = seen.min(axis=0), seen.max(axis=0)
-    at = camera.placed(np.array([[(low[0] + high[0]) / 2.0, low[1]]]))[0]
-    yield Label(at, shape.name, "text", (0.0, BELOW), "center", 13.0)
+    yield _caption(shape.name, np.vstack([drawn(curve, camera).points, curve.lines.points]), camera)
+
+
+@names.of_surfaces
+def surface_name(shape: Shape, surface: PlusSurface, camera: Camera) -> Iterator[Item]:
+    """The name, centred under the surface and its control points."""
+    points = surface.sample(*surface_grids(surface, camera)).reshape(-1, 3)
+    yield _caption(shape.name, np.vstack([points, surface.planes.control_points]), camera)
+
+
+def _caption(name: str, points: Floats, camera: Camera) -> Label:
+    screen = camera.to_screen(points)
+    (left, _), (right, bottom) = screen.min(axis=0), screen.max(axis=0)
+    like = points.mean(axis=0)
+    if len(like) == 2:
+        like = np.append(like, 0.0)
+    at = camera.to_world(np.array([(left + right) / 2.0, bottom]), like)
+    return Label(at, name, "text", (0.0, BELOW), "center", 13.0)

@@ -1,0 +1,129 @@
+"""What curves, surfaces and their handles look like, in the plane and in space."""
+
+from collections.abc import Collection, Iterator
+from typing import TypeAlias
+
+import numpy as np
+
+from plusedit.document.design import Design
+from plusedit.document.selection import Selection
+from plusedit.document.shape import PlusGeometry, Shape, ShapeId
+from plusedit.geometry.curve import PlusCurve
+from plusedit.geometry.surface import PlusSurface
+from plusedit.scene.camera import Camera
+from plusedit.scene.control_lines import control_line_items
+from plusedit.scene.control_planes import control_plane_items
+from plusedit.scene.drawn import drawn
+from plusedit.scene.drawn_surface import Grids
+from plusedit.scene.handles import handle_shapes
+from plusedit.scene.isolines import isoline_items, isolines
+from plusedit.scene.items import Item, Label, Patch, Polyline, Segments
+from plusedit.scene.options import ViewOptions
+from plusedit.scene.overlays import in_order
+
+WIDTH = 2.0  # of a curve whose style says nothing
+EDGE = 1.5  # of the edges of a surface
+THINNEST = 1.0  # pixels
+HALO = 6.0  # pixels by which the glow of a selected curve is wider than the curve
+GLOW = "selected@28"
+DIM = "@45"  # locked shapes
+FAINT = "@25"  # lines on them
+
+
+Shown: TypeAlias = tuple[ShapeId, Shape, PlusGeometry]
+
+
+def shown_shapes(design: Design, only: Collection[ShapeId] | None = None) -> list[Shown]:
+    """The shapes that are seen, back to front; with `only`, those of them."""
+    return [
+        (shape_id, shape, geometry)
+        for shape_id, shape in design.shapes.items()
+        if shape.visible
+        and (geometry := shape.plus) is not None
+        and (only is None or shape_id in only)
+    ]
+
+
+def overlay_items(shown: list[Shown], camera: Camera, options: ViewOptions) -> Iterator[Item]:
+    """What the overlays that are switched on draw about those shapes."""
+    for entry in in_order():
+        if entry.name in options.overlays:
+            for _, shape, geometry in shown:
+                yield from entry.draw(shape, geometry, camera)
+
+
+def curve_items(
+    shape: Shape, curve: PlusCurve, camera: Camera, *, selected: bool, glow: bool = True
+) -> Iterator[Item]:
+    """The curve in its own color and width, on a glow where it is selected."""
+    points = drawn(curve, camera).points
+    # Thinner than a pixel, a curve would be fainter than its ghost and its polygon.
+    width = WIDTH if shape.style.width is None else max(shape.style.width, THINNEST)
+    if selected and glow:
+        yield Polyline(points, GLOW, width + HALO)
+    color = shape.style.color or "plus"
+    yield Polyline(points, color + DIM if shape.locked else color, width)
+
+
+def surface_line_items(
+    shape: Shape,
+    surface: PlusSurface,
+    grids: Grids,
+    *,
+    color: str,
+    selected: bool,
+    inner: bool = True,
+    glow: bool = True,
+) -> Iterator[Item]:
+    """The edges of a surface in that color, on a glow where it is selected, and lines within.
+
+    A surface without edges, such as a torus, always has the lines within.
+    """
+    lines = isolines(surface, grids)
+    if inner or not lines.edges:
+        yield from isoline_items(surface, grids, FAINT if shape.locked else "")
+    width = EDGE if shape.style.width is None else max(shape.style.width, THINNEST)
+    for points in lines.edges:
+        if selected and glow:
+            yield Polyline(points, GLOW, width + HALO)
+        yield Polyline(points, color + DIM if shape.locked else color, width)
+
+
+def handle_items(
+    design: Design,
+    camera: Camera,
+    options: ViewOptions,
+    selection: Selection,
+    only: Collection[ShapeId] | None,
+) -> Iterator[Item]:
+    """The control lines and planes that are shown, those of selected shapes in front."""
+    shown = [i for i in handle_shapes(design, selection, options) if only is None or i in only]
+    lines = selection.by_shape()
+    active = selection.active
+    # Those of selected shapes come last: they lie in front, as they are what a click takes.
+    for shape_id in sorted(shown, key=lambda i: i in selection.shapes):
+        geometry = design.plus(shape_id)
+        chosen = lines.get(shape_id, ())
+        number = active.number if active is not None and active.shape == shape_id else None
+        quiet = bool(selection) and shape_id not in selection.shapes
+        if isinstance(geometry, PlusSurface):
+            yield from control_plane_items(
+                geometry, camera, selected=chosen, active=number, quiet=quiet
+            )
+        else:
+            yield from control_line_items(
+                geometry, camera, selected=chosen, active=number, quiet=quiet
+            )
+
+
+def is_finite(item: Item) -> bool:
+    """Whether all places of an item are numbers."""
+    match item:
+        case Segments(starts, ends):
+            return bool(np.isfinite(starts).all() and np.isfinite(ends).all())
+        case Label(at):
+            return bool(np.isfinite(at).all())
+        case Patch():
+            return True
+        case _:
+            return bool(np.isfinite(item.points).all())

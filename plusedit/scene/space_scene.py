@@ -1,0 +1,159 @@
+"""A design as items to draw in space, in layers: solids, what is seen through, lines, handles.
+
+This is the one place that says how a design looks in 3D; windows and pictures draw what comes from
+here. Items are the same objects as before while what they show stays as it is.
+"""
+
+from collections.abc import Collection, Iterator
+from dataclasses import dataclass
+from itertools import chain
+from typing import TypeAlias
+from weakref import WeakValueDictionary
+
+import numpy as np
+
+from plusedit.document.design import Design
+from plusedit.document.selection import NOTHING_SELECTED, Selection
+from plusedit.document.shape import PlusGeometry, Shape, ShapeId
+from plusedit.geometry.curve import PlusCurve
+from plusedit.geometry.surface import PlusSurface
+from plusedit.scene.arrows import direction_arrow
+from plusedit.scene.drawn_surface import Grids, surface_grids
+from plusedit.scene.items import Item, Label, Mesh, Patch, Polygon
+from plusedit.scene.options import ViewOptions
+from plusedit.scene.shapes import (
+    DIM,
+    curve_items,
+    handle_items,
+    is_finite,
+    overlay_items,
+    shown_shapes,
+    surface_line_items,
+)
+from plusedit.scene.space_camera import SpaceCamera
+
+WIRE = "line@30"
+BACK = 0.72  # of the brightness of a surface's own color
+
+Solid: TypeAlias = Patch | Mesh
+Area: TypeAlias = Patch | Mesh | Polygon
+
+
+@dataclass(frozen=True, eq=False)
+class SpaceLayers:
+    """What to draw in space."""
+
+    solids: tuple[Solid, ...] = ()
+    """opaque; they hide each other and all that follows but labels by depth"""
+    glass: tuple[Area, ...] = ()
+    """what is seen through, in any order: hulls, ghosts, locked surfaces"""
+    lines: tuple[Item, ...] = ()
+    """curves, lines on surfaces and marks"""
+    handles: tuple[Item, ...] = ()
+    """control lines and planes, the first one farthest back: in front of all else, the hidden ones
+    fainter"""
+    labels: tuple[Label, ...] = ()
+    """in front of everything"""
+
+    def __iter__(self) -> Iterator[Item]:
+        return chain(self.solids, self.glass, self.lines, self.handles, self.labels)
+
+
+def space_items(
+    design: Design,
+    camera: SpaceCamera,
+    options: ViewOptions,
+    selection: Selection = NOTHING_SELECTED,
+    *,
+    draft: bool = False,
+    only: Collection[ShapeId] | None = None,
+) -> SpaceLayers:
+    """How `design` looks in space; with `only`, how those shapes of it do.
+
+    With `draft` surfaces are coarser. What is too large to be calculated with is left out.
+    """
+    shown = shown_shapes(design, only)
+    solids: list[Solid] = []
+    glass: list[Area] = []
+    lines: list[Item] = []
+    labels: list[Label] = []
+    with np.errstate(all="ignore"):
+        overlays = overlay_items(shown, camera, options)
+        shapes = (
+            item
+            for shape_id, shape, geometry in shown
+            for item in _shape(
+                shape, geometry, camera, options, shape_id in selection.shapes, draft
+            )
+        )
+        for item in filter(is_finite, chain(overlays, shapes)):
+            match item:
+                case Patch() if is_opaque(item):
+                    solids.append(item)
+                case Patch() | Mesh() | Polygon():
+                    glass.append(item)
+                case Label():
+                    labels.append(item)
+                case _:
+                    lines.append(item)
+        handles = filter(is_finite, _handles(design, camera, options, selection, only))
+        return SpaceLayers(tuple(solids), tuple(glass), tuple(lines), tuple(handles), tuple(labels))
+
+
+def is_opaque(item: Solid) -> bool:
+    """Whether nothing is seen through it, as far as its own colors tell."""
+    return not any("@" in color or len(color) == 9 for color in (item.front, item.back))
+
+
+def _shape(
+    shape: Shape,
+    geometry: PlusGeometry,
+    camera: SpaceCamera,
+    options: ViewOptions,
+    selected: bool,
+    draft: bool,
+) -> Iterator[Item]:
+    if isinstance(geometry, PlusCurve):
+        yield from curve_items(shape, geometry, camera, selected=selected)
+        return
+    grids = surface_grids(geometry, camera, draft=draft)
+    yield _patch(shape, geometry, grids, options)
+    color = "selected" if selected else "line"
+    yield from surface_line_items(
+        shape, geometry, grids, color=color, selected=selected, inner=options.isolines
+    )
+
+
+_PATCHES: "WeakValueDictionary[tuple[object, ...], Patch]" = WeakValueDictionary()
+"""Those that someone still draws."""
+
+
+def _patch(shape: Shape, surface: PlusSurface, grids: Grids, options: ViewOptions) -> Patch:
+    """The surface shaded, the same item as before while it is to look the same."""
+    own, dim = shape.style.color, DIM if shape.locked else ""
+    front, back = (own, _darker(own)) if own else ("front", "back")
+    wire = WIRE if options.wire else None
+    key = (surface, *grids, front + dim, back + dim, wire)
+    kept = _PATCHES.get(key)
+    if kept is None:
+        kept = _PATCHES[key] = Patch(surface, *grids, front + dim, back + dim, wire)
+    return kept
+
+
+def _darker(color: str) -> str:
+    """The back of a surface that has a color of its own."""
+    parts = (int(color[i : i + 2], 16) for i in (1, 3, 5))
+    return "#" + "".join(f"{round(BACK * part):02X}" for part in parts)
+
+
+def _handles(
+    design: Design,
+    camera: SpaceCamera,
+    options: ViewOptions,
+    selection: Selection,
+    only: Collection[ShapeId] | None,
+) -> Iterator[Item]:
+    for shape_id, _, geometry in shown_shapes(design, only):
+        if shape_id in selection.shapes and isinstance(geometry, PlusCurve):
+            yield from direction_arrow(geometry, camera)
+    yield from handle_items(design, camera, options, selection, only)
