@@ -67,9 +67,7 @@ def surface_grids(surface: PlusSurface, camera: Camera, *, draft: bool = False) 
 
     The very same grids as before wherever they do; with `draft` coarser ones.
     """
-    kept = _KEPT.get(surface)
-    if kept is None:
-        kept = _KEPT[surface] = _Kept(_strays(surface))
+    kept = _kept(surface)
     found = kept.grids.get((camera, draft))
     if found is None:
         found = _grids(surface, kept.strays, camera, draft)
@@ -77,6 +75,18 @@ def surface_grids(surface: PlusSurface, camera: Camera, *, draft: bool = False) 
             del kept.grids[next(iter(kept.grids))]
         kept.grids[camera, draft] = found
     return found
+
+
+def coarse_points(surface: PlusSurface) -> Floats:
+    """(m, 3) points all over a surface: at its knots and some parameters between."""
+    return _kept(surface).strays.points.reshape(-1, 3)
+
+
+def _kept(surface: PlusSurface) -> _Kept:
+    kept = _KEPT.get(surface)
+    if kept is None:
+        kept = _KEPT[surface] = _Kept(_strays(surface))
+    return kept
 
 
 def _grids(surface: PlusSurface, strays: Strays, camera: Camera, draft: bool) -> Grids:

@@ -11,6 +11,7 @@ from plusedit.scene.camera import PlaneCamera
 from plusedit.scene.items import Item, Label, Markers, Polygon, Polyline, Segments
 from plusedit.scene.options import ViewOptions
 from plusedit.scene.scene import scene_items
+from plusedit.scene.shapes import shown_shapes
 
 MARGIN = 32.0  # pixels around what is framed
 ROUNDS = 3  # handles and names keep their size in pixels: zooming in needs room for them again
@@ -46,9 +47,7 @@ def framed(
 
 def _control_points(design: Design, camera: PlaneCamera, only: frozenset[ShapeId] | None) -> Floats:
     rows = [
-        camera.plane(curve.lines.points)
-        for shape_id, curve in design.curves()
-        if design[shape_id].visible and (only is None or shape_id in only)
+        camera.plane(geometry.net.control_points) for _, _, geometry in shown_shapes(design, only)
     ]
     return np.concatenate(rows) if rows else np.zeros((0, 2))
 
