@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from plusedit.commands.base import Landing, NetCommand, Side
-from plusedit.commands.directions import redirected, unchanged
+from plusedit.commands.directions import quarter_exact, redirected, unchanged
 from plusedit.document.design import Design
 from plusedit.document.shape import PlusGeometry
 from plusedit.geometry.arrays import Floats
@@ -19,6 +19,18 @@ def keeps_the_plane(matrix: Floats) -> bool:
         return True
     mixed = max(np.abs(matrix[2, :2]).max(), np.abs(matrix[:2, 2]).max())
     return bool(mixed <= ROUNDING * np.abs(matrix).max())
+
+
+def rotation(axis: Floats, angle: float) -> Floats:
+    """(3, 3) the turn by `angle` in radians about a unit vector, free of rounding at quarters.
+
+    Counter-clockwise seen from where the vector points to: cos I + sin [a]x + (1 - cos) a a'.
+    """
+    c, s = quarter_exact(angle)
+    x, y, z = axis
+    across = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
+    matrix: Floats = c * np.eye(3) + s * across + (1.0 - c) * np.outer(axis, axis)
+    return matrix
 
 
 @dataclass(frozen=True, eq=False)

@@ -32,11 +32,23 @@ class EditAction:
 
 def edit_actions() -> list[EditAction]:
     """All of them, in the order of the menus."""
-    from plusedit.interaction import arranging, curve_actions, line_actions, selecting
+    from plusedit.interaction import (
+        arranging,
+        curve_actions,
+        line_actions,
+        magnitude_actions,
+        net_selecting,
+        selecting,
+        surface_actions,
+    )
 
-    return [
-        *selecting.ACTIONS,
-        *line_actions.ACTIONS,
-        *curve_actions.ACTIONS,
-        *arranging.ACTIONS,
-    ]
+    modules = (
+        selecting,
+        net_selecting,
+        line_actions,
+        magnitude_actions,
+        curve_actions,
+        surface_actions,
+        arranging,
+    )
+    return [action for module in modules for action in module.ACTIONS]

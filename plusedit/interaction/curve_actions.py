@@ -1,4 +1,4 @@
-"""Actions on the selected curves: s, family, order, ends, closing, running the other way."""
+"""Actions on the selected curves: family, order, ends, closing, running the other way."""
 
 from collections.abc import Callable
 
@@ -10,55 +10,29 @@ from plusedit.commands.curves import (
     MakeTangent,
     PassThrough,
     SetClosed,
-    SetMagnitude,
 )
 from plusedit.commands.shapes import ReverseCurves
 from plusedit.document.design import EditError
 from plusedit.document.shape import ShapeId
 from plusedit.geometry.bases.bspline import BSpline
-from plusedit.geometry.curve import PlusCurve
-from plusedit.geometry.magnitude import best_s, polygon_length
 from plusedit.interaction.actions import EditAction
 from plusedit.interaction.selecting import shapes_of
 from plusedit.interaction.tool import Outcome, Stage
 
 MENU = "Curve"
 
-STEP = 0.01  # of L, by which "-" and "+" change s
-
 FAMILIES = (("bezier", "Bézier"), ("bspline", "B-spline"), ("rag", "Rational Gaussian"))
 
 
 def curves_of(stage: Stage) -> tuple[ShapeId, ...]:
     """The selected curves that can be edited. EditError if there is none."""
-    found = tuple(i for i in shapes_of(stage) if stage.design[i].curve is not None)
-    if not found:
-        raise EditError("No curve is selected.")
-    return found
-
-
-def curves_or_all(stage: Stage) -> tuple[ShapeId, ...]:
-    """The selected curves; where nothing is selected, all that can be edited."""
-    if stage.selection:
-        return curves_of(stage)
-    found = tuple(i for i in stage.design if stage.design[i].editable)
-    if not found:
-        raise EditError("There is no curve to change.")
-    return found
-
-
-def magnitude(stage: Stage, value: Callable[[PlusCurve], float]) -> Outcome:
-    """Give every curve its own s."""
-    design = stage.design
-    return SetMagnitude({i: value(design.curve(i)) for i in curves_or_all(stage)})
-
-
-def best(curve: PlusCurve) -> float:
-    """s*. EditError where s changes nothing."""
-    s = best_s(curve)
-    if s is None:
-        raise EditError("s changes nothing here: the control lines have no directions.")
-    return s
+    shapes = shapes_of(stage)
+    found = tuple(i for i in shapes if stage.design[i].curve is not None)
+    if found:
+        return found
+    if any(stage.design[i].surface is not None for i in shapes):
+        raise EditError("This works on curves, and only surfaces are selected.")
+    raise EditError("No curve is selected.")
 
 
 def order(stage: Stage, by: int) -> Outcome:
@@ -100,10 +74,6 @@ def _family(family: str) -> Callable[[Stage], Outcome]:
     return lambda stage: ChangeFamily(curves_of(stage), family)
 
 
-def _s(value: Callable[[PlusCurve], float]) -> Callable[[Stage], Outcome]:
-    return lambda stage: magnitude(stage, value)
-
-
 ACTIONS = (
     EditAction("reverse_curve", "Reverse curve", (), MENU, _with_curves(ReverseCurves)),
     EditAction("close_curve", "Close curve", (), MENU, lambda stage: closing(stage, True)),
@@ -137,27 +107,4 @@ ACTIONS = (
     ),
     EditAction("order_up", "Raise order", (), f"{MENU}/Order", lambda stage: order(stage, 1)),
     EditAction("order_down", "Lower order", (), f"{MENU}/Order", lambda stage: order(stage, -1)),
-    EditAction(
-        "s_up",
-        "s up by 1 % of L",
-        ("+", "="),
-        f"{MENU}/Magnitude s",
-        _s(lambda curve: curve.s + STEP * polygon_length(curve)),
-    ),
-    EditAction(
-        "s_down",
-        "s down by 1 % of L",
-        ("-",),
-        f"{MENU}/Magnitude s",
-        _s(lambda curve: curve.s - STEP * polygon_length(curve)),
-    ),
-    EditAction("s_zero", "s = 0, classical", (), f"{MENU}/Magnitude s", _s(lambda curve: 0.0)),
-    EditAction(
-        "s_half",
-        "s = L/2, usual",
-        (),
-        f"{MENU}/Magnitude s",
-        _s(lambda curve: polygon_length(curve) / 2.0),
-    ),
-    EditAction("s_best", "s = s*, closest to the points", (), f"{MENU}/Magnitude s", _s(best)),
 )

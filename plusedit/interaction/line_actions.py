@@ -1,23 +1,27 @@
-"""Actions on the selected control lines: nudges, turns, directions, mirrors."""
+"""Actions on the selected control lines and planes: nudges, turns, directions, mirrors."""
 
 from collections.abc import Callable, Iterator
 from math import radians
 
 import numpy as np
 
+from plusedit.commands.base import Command, Together, named
 from plusedit.commands.lines import (
     MovePoints,
     ResetDirections,
     ReverseDirections,
+    Rotate,
     SetLength,
     Transform,
     Turn,
 )
+from plusedit.commands.rotation import rotation
 from plusedit.document.design import EditError
 from plusedit.interaction.actions import EditAction
 from plusedit.interaction.modal import chosen
-from plusedit.interaction.picking import seen_plane
 from plusedit.interaction.tool import Outcome, Stage
+from plusedit.interaction.world_axes import lifting_axis, world_axes
+from plusedit.scene.camera import PlaneCamera
 
 MENU = "Control lines"
 
@@ -28,43 +32,60 @@ TURNS = (("", "", 5.0), ("Shift+", " far", 15.0), ("Ctrl+", " a little", 0.5))
 """modifier, what it adds to the title, and degrees"""
 
 NUDGES = (
-    ("left", "Left", 0, -1.0),
-    ("right", "Right", 0, 1.0),
-    ("up", "Up", 1, 1.0),
-    ("down", "Down", 1, -1.0),
-    ("nearer", "PgUp", 2, 1.0),
-    ("farther", "PgDown", 2, -1.0),
+    ("left", "left", "Left", 0, -1.0),
+    ("right", "right", "Right", 0, 1.0),
+    ("up", "up", "Up", 1, 1.0),
+    ("down", "down", "Down", 1, -1.0),
+    ("nearer", "nearer, in space up z", "PgUp", 2, 1.0),
+    ("farther", "farther, in space down z", "PgDown", 2, -1.0),
 )
-"""name, key, direction in the view (to the right, upwards, out of it) and sign"""
+"""name, words, key, direction in the view (to the right, upwards, out of it) and sign"""
 
 
 def nudge(stage: Stage, way: int, steps: float) -> Outcome:
-    """Move what is selected by steps of the grid, to the right, upwards or out of the view."""
+    """Move what is selected by steps of the grid, to the right, upwards or out of the view.
+
+    In space to the right and upwards mean the axes nearest to that, and the third way is along z.
+    """
     targets = chosen(stage)
-    plane = seen_plane(stage.camera)
-    axis = (*plane, 3 - sum(plane))[way]
-    if all(stage.design.curve(i).dimension <= axis for i in targets):
+    axes = (*world_axes(stage.camera)[:2], lifting_axis(stage.camera))
+    axis, sign = axes[way]
+    if all(stage.design.plus(i).dimension <= axis for i in targets):
         raise EditError("A plane curve can't leave its plane.")
-    # Seen from the front the y axis runs away from the eye, all others towards it.
-    towards = -1.0 if axis == 1 and way == 2 else 1.0
     by = np.zeros(3)
-    by[axis] = towards * steps * stage.grid_step
+    by[axis] = sign * steps * stage.grid_step
     return MovePoints(targets, by)
 
 
 def turn(stage: Stage, degrees: float) -> Outcome:
-    """Turn the selected directions, counter-clockwise as seen."""
-    return Turn(chosen(stage), radians(degrees), seen_plane(stage.camera))
+    """Turn the selected directions, counter-clockwise as seen.
+
+    In space about the way of looking; plane curves turn in their plane there too.
+    """
+    targets, camera = chosen(stage), stage.camera
+    if isinstance(camera, PlaneCamera):
+        return Turn(targets, radians(degrees), camera.axes)
+    toward = camera.axes_of_view[2]
+    flat = {i: rows for i, rows in targets.items() if stage.design.plus(i).dimension == 2}
+    solid = {i: rows for i, rows in targets.items() if i not in flat}
+    edits: list[Command] = []
+    if solid:
+        edits.append(Rotate(solid, rotation(toward, radians(degrees))))
+    if flat:
+        edits.append(Turn(flat, radians(degrees if toward[2] >= 0.0 else -degrees)))
+    if len(edits) == 1:
+        return edits[0]
+    return Together(f"Rotate {named(stage.design, targets)}", tuple(edits))
 
 
 def mirror(stage: Stage, way: int) -> Outcome:
     """Mirror what is selected about the middle of its control points, left-right or up-down."""
     targets = chosen(stage)
-    axis = seen_plane(stage.camera)[way]
+    axis, _ = world_axes(stage.camera)[way]
     values = [
-        stage.design.curve(i).lines.points[list(rows), axis]
+        stage.design.plus(i).net.control_points[list(rows), axis]
         for i, rows in targets.items()
-        if axis < stage.design.curve(i).dimension
+        if axis < stage.design.plus(i).dimension
     ]
     if not values:
         raise EditError("A plane curve can't be mirrored out of its plane.")
@@ -76,11 +97,11 @@ def mirror(stage: Stage, way: int) -> Outcome:
 
 
 def _nudges() -> Iterator[EditAction]:
-    for name, key, way, sign in NUDGES:
+    for name, words, key, way, sign in NUDGES:
         for modifier, more, factor in SPEEDS:
             yield EditAction(
                 f"nudge_{name}{more.replace(' ', '_')}",
-                f"Nudge {name}{more}",
+                f"Nudge {words}{more}",
                 (modifier + key,),
                 f"{MENU}/Nudge",
                 _nudge_by(way, sign * factor),

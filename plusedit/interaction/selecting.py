@@ -9,8 +9,8 @@ from plusedit.document.joints import whole_path
 from plusedit.document.selection import NOTHING_SELECTED, LineId, Selection
 from plusedit.document.shape import ShapeId
 from plusedit.interaction.actions import EditAction
-from plusedit.interaction.picking import seen_plane
 from plusedit.interaction.tool import Outcome, Stage
+from plusedit.interaction.world_axes import world_axes
 
 
 def shapes_of(stage: Stage) -> tuple[ShapeId, ...]:
@@ -29,17 +29,17 @@ def _is_free(shape_id: ShapeId, stage: Stage) -> bool:
 
 
 def all_lines(stage: Stage) -> list[LineId]:
-    """Every control line that can be edited, in order, back to front."""
+    """Every control line and plane that can be edited, in order, back to front."""
     return [
         LineId(shape_id, number)
-        for shape_id, curve in stage.design.curves()
+        for shape_id, geometry in stage.design.drawn()
         if stage.design[shape_id].editable
-        for number in range(len(curve.lines))
+        for number in range(len(geometry.net))
     ]
 
 
 def delete(stage: Stage) -> Outcome:
-    """Delete the selected lines, and the shapes that are selected without any."""
+    """Delete the selected lines and rows of planes, and shapes selected without any of them."""
     lines = stage.selection.by_shape()
     free = shapes_of(stage)
     targets = {shape_id: rows for shape_id, rows in lines.items() if shape_id in free}
@@ -53,16 +53,16 @@ def delete(stage: Stage) -> Outcome:
 
 
 def duplicate(stage: Stage) -> Outcome:
-    """Copies one grid step to the right and below."""
+    """Copies one grid step to the right and below, along the axes nearest to that."""
     offset = np.zeros(3)
-    across, up = seen_plane(stage.camera)
-    offset[across], offset[up] = stage.grid_step, -stage.grid_step
+    (across, right), (up, upwards), _ = world_axes(stage.camera)
+    offset[across], offset[up] = right * stage.grid_step, -upwards * stage.grid_step
     return Duplicate(shapes_of(stage), offset)
 
 
 def select_all(stage: Stage) -> Outcome:
-    """All control lines that can be edited, and shapes of other kinds as wholes."""
-    others = [i for i in stage.design if stage.design[i].curve is None and _is_free(i, stage)]
+    """All control lines and planes that can be edited, and shapes of other kinds as wholes."""
+    others = [i for i in stage.design if stage.design[i].plus is None and _is_free(i, stage)]
     return Selection(frozenset(all_lines(stage)), frozenset(others))
 
 
