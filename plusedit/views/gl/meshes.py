@@ -1,0 +1,85 @@
+"""Triangles with light on them."""
+
+from collections.abc import Iterable
+
+import numpy as np
+
+from plusedit.geometry.arrays import Floats
+from plusedit.scene.items import Mesh
+from plusedit.scene.theme import Theme
+from plusedit.views.gl.buffers import Attribute, Buffer, VertexArray
+from plusedit.views.gl.colors import NOTHING, shade_of
+from plusedit.views.gl.functions import (
+    ELEMENT_ARRAY_BUFFER,
+    TRIANGLES,
+    UNSIGNED_INT,
+    Functions,
+)
+from plusedit.views.gl.programs import Program
+from plusedit.views.gl.sight import Sight
+
+
+class MeshBuffers:
+    """One mesh on the card."""
+
+    def __init__(self, gl: Functions, mesh: Mesh) -> None:
+        self._gl = gl
+        self.origin: Floats = (mesh.points.min(axis=0) + mesh.points.max(axis=0)) / 2.0
+        vertices = np.zeros((len(mesh.points), 6), np.float32)
+        vertices[:, :3] = mesh.points - self.origin
+        if mesh.normals is not None:
+            vertices[:, 3:] = mesh.normals
+        self._buffer, self._triangles = Buffer(gl), Buffer(gl, ELEMENT_ARRAY_BUFFER)
+        self._buffer.put(vertices)
+        self._vertices = VertexArray(gl)
+        self._vertices.read(self._buffer, 24, Attribute(0, 3), Attribute(1, 3, 12))
+        self._triangles.put(np.ascontiguousarray(mesh.triangles, np.uint32))
+        self._count = mesh.triangles.size
+
+    def draw(self) -> None:
+        """Draw all triangles."""
+        self._vertices.bind()
+        self._gl.DrawElements(TRIANGLES, self._count, UNSIGNED_INT, None)
+
+    def release(self) -> None:
+        """Free it."""
+        self._buffer.release()
+        self._triangles.release()
+        self._vertices.release()
+
+
+class Meshes:
+    """All meshes that a frame shows."""
+
+    def __init__(self, gl: Functions, program: Program) -> None:
+        self._gl, self._program = gl, program
+        self._held: dict[Mesh, MeshBuffers] = {}
+
+    def show(self, meshes: Iterable[Mesh]) -> None:
+        """Send to the card what it does not have yet; free what is no longer drawn."""
+        wanted = set(meshes)
+        for mesh in [mesh for mesh in self._held if mesh not in wanted]:
+            self._held.pop(mesh).release()
+        for mesh in wanted:
+            if mesh not in self._held:
+                self._held[mesh] = MeshBuffers(self._gl, mesh)
+
+    def draw(self, mesh: Mesh, sight: Sight, theme: Theme, style: int) -> None:
+        """Draw one of those that were shown, both of its sides or what is not culled."""
+        held, program = self._held[mesh], self._program
+        program.use()
+        sight.show(program, held.origin)
+        sight.show_light(program, held.origin)
+        program.set("opacity", 1.0)
+        program.set("front", *shade_of(theme, mesh.front))
+        program.set("back", *shade_of(theme, mesh.back))
+        program.set("wire", *NOTHING)
+        program.set("parts", 0.0, 0.0)
+        program.set_number("style", style)
+        held.draw()
+
+    def release(self) -> None:
+        """Free everything."""
+        for held in self._held.values():
+            held.release()
+        self._held = {}

@@ -1,0 +1,226 @@
+"""Plus surfaces: their terms in buffers, s a number that the shader weighs them by.
+
+What a surface is made of goes to the card once. While s changes nothing is sent but s; while
+planes are dragged the same buffers are filled again.
+"""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import lru_cache
+from weakref import WeakKeyDictionary
+
+import numpy as np
+from numpy.typing import NDArray
+
+from plusedit.geometry.arrays import Floats
+from plusedit.geometry.bases import Basis
+from plusedit.geometry.blend import Grid
+from plusedit.geometry.planes import ControlPlanes
+from plusedit.geometry.surface import PlusSurface, tangent_terms
+from plusedit.scene.items import Patch
+from plusedit.scene.theme import Theme
+from plusedit.views.gl.buffers import Attribute, Buffer, VertexArray
+from plusedit.views.gl.colors import NOTHING, shade_of
+from plusedit.views.gl.functions import (
+    ELEMENT_ARRAY_BUFFER,
+    TRIANGLES,
+    UNSIGNED_INT,
+    Functions,
+)
+from plusedit.views.gl.programs import Program
+from plusedit.views.gl.sight import Box, Sight
+from plusedit.views.gl.triangles import grid_triangles
+
+TERMS = ("base", "plus", "base_u", "plus_u", "base_v", "plus_v")
+FAR_OFF = 8.0  # sizes of a surface from the origin, beyond which its own middle becomes one
+POINTLIKE = 1e-6  # of the size of a surface: shorter tangents have no direction
+KEPT = 24  # lattices of grids that are no longer drawn
+
+Key = tuple[ControlPlanes, Basis, Basis, Grid, Grid]
+Single = NDArray[np.float32]
+
+
+def key_of(patch: Patch) -> Key:
+    """What the buffers of a patch depend on: all but s."""
+    surface = patch.surface
+    return surface.planes, surface.basis_u, surface.basis_v, patch.grid_u, patch.grid_v
+
+
+@dataclass(frozen=True, eq=False)
+class Frame:
+    """Where a surface lies and how far its plus term may take it, whatever s is."""
+
+    low: Floats
+    high: Floats
+    reach: float
+    """of the plus term, at most, for s = 1"""
+
+    @property
+    def size(self) -> float:
+        """The largest extent of the control points."""
+        return float((self.high - self.low).max())
+
+    @property
+    def origin(self) -> Floats:
+        """(3,) where coordinates are counted from: zero, or the middle of what is far off."""
+        middle = (self.low + self.high) / 2.0
+        return middle if np.abs(middle).max() > FAR_OFF * self.size else np.zeros(3)
+
+    def box(self, s: float) -> Box:
+        """What the surface stays inside of."""
+        return self.low - abs(s) * self.reach, self.high + abs(s) * self.reach
+
+
+_FRAMES: "WeakKeyDictionary[ControlPlanes, Frame]" = WeakKeyDictionary()
+
+
+def frame_of(surface: PlusSurface) -> Frame:
+    """The frame of a surface, from its control planes alone.
+
+    All basis functions are positive: what they blend lies inside of what is blended.
+    """
+    frame = _FRAMES.get(surface.planes)
+    if frame is None:
+        points = surface.planes.control_points
+        lengths = np.sqrt(np.square(surface.vectors).sum(axis=-1).max(axis=-1))
+        frame = Frame(points.min(axis=0), points.max(axis=0), float(lengths.sum()))
+        _FRAMES[surface.planes] = frame
+    return frame
+
+
+def terms_of(key: Key, origin: Floats) -> tuple[Single, ...]:
+    """The six terms of a surface whose coordinates are counted from `origin`."""
+    planes, basis_u, basis_v, grid_u, grid_v = key
+    if origin.any():
+        planes = planes.with_points(planes.points - origin)
+    terms = tangent_terms(basis_u, basis_v, planes, grid_u, grid_v)
+    return tuple(np.ascontiguousarray(getattr(terms, name), np.float32) for name in TERMS)
+
+
+@lru_cache(maxsize=8)
+def _wheres(grid_u: Grid, grid_v: Grid) -> Single:
+    """(m_u, m_v, 4) u, v and the numbers of the samples."""
+    u, v = grid_u.parameters, grid_v.parameters
+    where = np.empty((len(u), len(v), 4), np.float32)
+    where[..., 0], where[..., 1] = u[:, None], v
+    where[..., 2], where[..., 3] = np.arange(len(u))[:, None], np.arange(len(v))
+    return where
+
+
+class Lattice:
+    """What surfaces sampled on the same grids share: parameters and triangles."""
+
+    def __init__(self, gl: Functions, grid_u: Grid, grid_v: Grid) -> None:
+        triangles = grid_triangles(len(grid_u), len(grid_v))
+        self.count = triangles.size
+        self.where = Buffer(gl)
+        self.where.put(_wheres(grid_u, grid_v))
+        self.triangles = Buffer(gl, ELEMENT_ARRAY_BUFFER)
+        # The buffer of triangles belongs to the vertex array that is bound: let it be none.
+        gl.BindVertexArray(0)
+        self.triangles.put(triangles)
+
+    def release(self) -> None:
+        self.where.release()
+        self.triangles.release()
+
+
+class PatchBuffers:
+    """The terms of one surface on the card."""
+
+    def __init__(self, gl: Functions) -> None:
+        self._gl = gl
+        self._vertices = VertexArray(gl)
+        self._buffers = [Buffer(gl) for _ in TERMS]
+        for location, buffer in enumerate(self._buffers):
+            self._vertices.read(buffer, 12, Attribute(location, 3))
+        self._lattice: Lattice | None = None
+        self._sent: tuple[Single, ...] = ()
+        self.origin: Floats = np.zeros(3)
+
+    def fill(self, key: Key, lattice: Lattice, origin: Floats) -> None:
+        """Put in another surface; terms that are the same arrays as before stay."""
+        terms = terms_of(key, origin)
+        sent = self._sent or (None,) * len(terms)
+        for buffer, term, old in zip(self._buffers, terms, sent, strict=True):
+            if term is not old:
+                buffer.put(term)
+        self._sent, self.origin = terms, origin
+        if lattice is not self._lattice:
+            self._vertices.read(lattice.where, 16, Attribute(len(TERMS), 4))
+            lattice.triangles.bind()
+            self._lattice = lattice
+
+    def draw(self) -> None:
+        """Draw all triangles."""
+        if self._lattice is not None:
+            self._vertices.bind()
+            self._gl.DrawElements(TRIANGLES, self._lattice.count, UNSIGNED_INT, None)
+
+    def release(self) -> None:
+        for buffer in self._buffers:
+            buffer.release()
+        self._vertices.release()
+
+
+class Patches:
+    """All surfaces that a frame shows, and the buffers of those of the frame before."""
+
+    def __init__(self, gl: Functions, program: Program) -> None:
+        self._gl, self._program = gl, program
+        self._held: dict[Key, PatchBuffers] = {}
+        self._lattices: dict[tuple[Grid, Grid], Lattice] = {}
+
+    def show(self, patches: Iterable[Patch]) -> None:
+        """Send to the card what it does not have yet, into buffers that are no longer needed."""
+        wanted = {key_of(patch): patch for patch in patches}
+        spare = [self._held.pop(key) for key in list(self._held) if key not in wanted]
+        for key, patch in wanted.items():
+            if key not in self._held:
+                buffers = spare.pop() if spare else PatchBuffers(self._gl)
+                frame = frame_of(patch.surface)
+                buffers.fill(key_of(patch), self._lattice(patch), frame.origin)
+                self._held[key] = buffers
+        for buffers in spare:
+            buffers.release()
+        self._forget_lattices()
+
+    def draw(self, patch: Patch, sight: Sight, theme: Theme, style: int) -> None:
+        """Draw one of those that were shown, both of its sides or what is not culled."""
+        buffers, program = self._held[key_of(patch)], self._program
+        program.use()
+        sight.show(program, buffers.origin)
+        sight.show_light(program, buffers.origin)
+        program.set("s", patch.surface.s)
+        program.set("least", POINTLIKE * frame_of(patch.surface).size)
+        program.set("opacity", 1.0)
+        program.set("front", *shade_of(theme, patch.front))
+        program.set("back", *shade_of(theme, patch.back))
+        program.set("wire", *(NOTHING if patch.wire is None else shade_of(theme, patch.wire)))
+        program.set("parts", 0.0, 0.0)
+        program.set_number("style", style)
+        buffers.draw()
+
+    def release(self) -> None:
+        """Free everything."""
+        for buffers in self._held.values():
+            buffers.release()
+        for lattice in self._lattices.values():
+            lattice.release()
+        self._held, self._lattices = {}, {}
+
+    def _lattice(self, patch: Patch) -> Lattice:
+        grids = patch.grid_u, patch.grid_v
+        lattice = self._lattices.pop(grids, None)
+        if lattice is None:
+            lattice = Lattice(self._gl, *grids)
+        self._lattices[grids] = lattice
+        return lattice
+
+    def _forget_lattices(self) -> None:
+        used = {key[3:] for key in self._held}
+        for grids in list(self._lattices):
+            if len(self._lattices) <= KEPT + len(used):
+                break
+            if grids not in used:
+                self._lattices.pop(grids).release()

@@ -1,0 +1,32 @@
+// Round ends and corners, smooth edges, dashes.
+
+in vec2 place;
+in float shade;
+flat in vec4 ink;
+flat in vec4 measure;
+flat in vec4 cuts;
+
+uniform float ratio;
+uniform float opacity;
+
+out vec4 color;
+
+void main() {
+    float reach = measure.x, radius = measure.y;
+    if (dot(place, cuts.xy) < 0.0 || dot(place - vec2(reach, 0.0), cuts.zw) >= 0.0 && cuts.zw != vec2(0.0))
+        discard;
+    float beyond = place.x - clamp(place.x, 0.0, reach);
+    float off = length(vec2(beyond, place.y));
+    // What is thinner than a pixel covers it in part.
+    float cover = clamp(radius + 0.5 - off, 0.0, 1.0) - clamp(0.5 - radius - off, 0.0, 1.0);
+    if (measure.w > 0.5) {
+        vec2 dash = ratio * (measure.w < 1.5 ? vec2(6.0, 10.0) : vec2(2.0, 5.0));
+        float phase = mod(measure.z + place.x, dash.y);
+        float inside = min(phase, dash.x - phase);
+        inside = max(inside, phase - dash.y);
+        cover *= clamp(0.5 + inside, 0.0, 1.0);
+    }
+    float alpha = ink.a * cover * shade * opacity;
+    if (alpha < 0.02) discard;
+    color = vec4(ink.rgb, 1.0) * alpha;
+}

@@ -1,0 +1,92 @@
+"""How one frame sees the world, in the numbers that shaders ask for."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from plusedit.geometry.arrays import Floats
+from plusedit.scene.space_camera import SpaceCamera
+from plusedit.views.gl.programs import Program
+
+BESIDE = 16.0  # pixels before the nearest and beyond the farthest point that are drawn, too
+
+Box = tuple[Floats, Floats]
+"""The least and the largest coordinates (3,) of something"""
+
+Crop = tuple[float, float, float, float]
+"""Factors and shifts, across and upwards, of clip space: which part of the picture is drawn"""
+
+WHOLE: Crop = (1.0, 1.0, 0.0, 0.0)
+
+
+@dataclass(frozen=True, eq=False)
+class Sight:
+    """A camera with the depths that are drawn, and the pixels of the device."""
+
+    camera: SpaceCamera
+    matrix: Floats
+    """(4, 4) from the world to clip space"""
+    ratio: float = 1.0
+    """pixels of the device to a logical one"""
+    crop: Crop = WHOLE
+
+    @classmethod
+    def of(
+        cls, camera: SpaceCamera, boxes: Iterable[Box], ratio: float = 1.0, crop: Crop = WHOLE
+    ) -> "Sight":
+        """The sight of everything inside of boxes."""
+        corners = [np.where(_CORNERS, high, low) for low, high in boxes]
+        near = far = 0.0
+        if corners:
+            depths = camera.depths(np.concatenate(corners))
+            near, far = float(depths.min()), float(depths.max())
+        room = BESIDE * camera.pixel + 0.01 * (far - near)
+        return cls(camera, camera.matrix(near - room, far + room), ratio, crop)
+
+    @property
+    def size(self) -> tuple[float, float]:
+        """Width and height of the whole picture in pixels of the device."""
+        width, height = self.camera.size
+        return width * self.ratio, height * self.ratio
+
+    @cached_property
+    def pull(self) -> tuple[float, float]:
+        """What brings a depth nearer by a logical pixel: p / w + q of clip space."""
+        camera, row = self.camera, self.matrix[2]
+        slope = float(row[:3] @ camera.toward)
+        if not camera.perspective:
+            return 0.0, slope * camera.pixel
+        at_target = float(row[:3] @ np.array(camera.target) + row[3])
+        return (at_target + slope * camera.distance) * camera.pixel / camera.distance, 0.0
+
+    def show(self, program: Program, origin: Floats) -> None:
+        """Tell a program in use how to see places that are counted from `origin` (3,)."""
+        moved = self.matrix.copy()
+        moved[:, 3] = self.matrix @ np.append(origin, 1.0)
+        program.set_matrix("world_to_clip", moved)
+        program.set("size", *self.size)
+        program.set("crop", *self.crop)
+        program.set("pull", *self.pull)
+        program.set("ratio", self.ratio)
+
+    def show_light(self, program: Program, origin: Floats) -> None:
+        """Tell a program in use, besides, where the eye is and what is up."""
+        camera = self.camera
+        axes = camera.axes_of_view
+        eye = camera.eye if camera.perspective else np.array(camera.target)
+        program.set_matrix("axes", axes)
+        program.set("eye", *(axes @ (eye - origin)).tolist())
+        program.set("up", *axes[:, 2].tolist())
+        program.set("parallel", 0.0 if camera.perspective else 1.0)
+
+
+_CORNERS = np.indices((2, 2, 2)).reshape(3, 8).T.astype(np.bool_)
+
+
+def box_of(points: Floats) -> Box | None:
+    """The box around points (m, 3), None if there are none."""
+    if not len(points):
+        return None
+    return points.min(axis=0), points.max(axis=0)
