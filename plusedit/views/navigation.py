@@ -1,23 +1,32 @@
-"""How a plane view gets from one camera to the next: panned, zoomed, framed, gliding there."""
+"""How a view gets from one camera to the next: panned, zoomed, framed, gliding there."""
 
+from collections.abc import Callable
 from dataclasses import replace
+from typing import Generic, TypeVar
 
 import numpy as np
 from PySide6.QtCore import QEasingCurve, QObject, QVariantAnimation, Signal
 
-from plusedit.scene.camera import PlaneCamera, Projection
+from plusedit.scene.camera import PlaneCamera
+from plusedit.scene.space_camera import SpaceCamera
 
 GLIDE = 160  # milliseconds
 
+C = TypeVar("C", PlaneCamera, SpaceCamera)
 
-class Navigation(QObject):
+
+class Navigation(QObject, Generic[C]):
     """Holds the camera of a view and tells when it changes."""
 
     changed = Signal()
 
-    def __init__(self, parent: QObject) -> None:
+    def __init__(self, parent: QObject, camera: C, between: Callable[[C, C, float], C]) -> None:
+        """`between` gives the camera from 0, the first, to 1, the second, on the way."""
         super().__init__(parent)
-        self._camera = PlaneCamera((1.0, 1.0))
+        self.is_animated = True
+        """whether `glide` takes its time"""
+        self._between = between
+        self._camera = camera
         self._from = self._to = self._camera
         self._animation = QVariantAnimation(self)
         self._animation.setDuration(GLIDE)
@@ -27,25 +36,31 @@ class Navigation(QObject):
         self._animation.valueChanged.connect(self._step)
 
     @property
-    def camera(self) -> PlaneCamera:
+    def camera(self) -> C:
         """What the view sees now."""
         return self._camera
 
     @property
-    def target(self) -> PlaneCamera:
+    def target(self) -> C:
         """What it will see once it has arrived."""
-        gliding = self._animation.state() == QVariantAnimation.State.Running
-        return self._to if gliding else self._camera
+        return self._to if self.is_gliding else self._camera
 
-    def go(self, camera: PlaneCamera) -> None:
+    @property
+    def is_gliding(self) -> bool:
+        """Whether it is on its way."""
+        return self._animation.state() == QVariantAnimation.State.Running
+
+    def go(self, camera: C) -> None:
         """See that, at once."""
         self._animation.stop()
         self._set(camera)
 
-    def glide(self, camera: PlaneCamera) -> None:
+    def glide(self, camera: C) -> None:
         """See that in a moment; on the way the eye keeps its bearings."""
         self._animation.stop()
-        if camera != self._camera:
+        if not self.is_animated:
+            self._set(camera)
+        elif camera != self._camera:
             self._from, self._to = self._camera, camera
             self._animation.start()
 
@@ -56,28 +71,23 @@ class Navigation(QObject):
         self._from = replace(self._from, size=size)
         self._set(replace(self._camera, size=size))
 
-    def project(self, projection: Projection) -> None:
-        """Look along another axis, at the same place as far as the two share it."""
-        old = self.target
-        center = dict(zip(old.axes, old.center, strict=True))
-        other = replace(old, projection=projection)
-        across, up = other.axes
-        self.go(replace(other, center=(center.get(across, 0.0), center.get(up, 0.0))))
-
     def _step(self, share: float) -> None:
         if share >= 1.0:
             self._set(self._to)
-            return
-        start, end = self._from, self._to
-        scale = start.scale * (end.scale / start.scale) ** share
-        # Weighted so that what both cameras see at one pixel stays there all the way.
-        weight = share
-        if start.scale != end.scale:
-            weight = (1.0 / scale - 1.0 / start.scale) / (1.0 / end.scale - 1.0 / start.scale)
-        x, y = (1.0 - weight) * np.array(start.center) + weight * np.array(end.center)
-        self._set(replace(end, center=(float(x), float(y)), scale=float(scale)))
+        else:
+            self._set(self._between(self._from, self._to, share))
 
-    def _set(self, camera: PlaneCamera) -> None:
+    def _set(self, camera: C) -> None:
         if camera != self._camera:
             self._camera = camera
             self.changed.emit()
+
+
+def between_planes(start: PlaneCamera, end: PlaneCamera, share: float) -> PlaneCamera:
+    """A camera on the way: what both see at one pixel stays there all the way."""
+    scale = start.scale * (end.scale / start.scale) ** share
+    weight = share
+    if start.scale != end.scale:
+        weight = (1.0 / scale - 1.0 / start.scale) / (1.0 / end.scale - 1.0 / start.scale)
+    x, y = (1.0 - weight) * np.array(start.center) + weight * np.array(end.center)
+    return replace(end, center=(float(x), float(y)), scale=float(scale))
