@@ -11,7 +11,7 @@ from plusedit.document.design import Design, EditError
 from plusedit.document.selection import LineId
 from plusedit.geometry.arrays import Floats
 from plusedit.interaction.moving import move_drag
-from plusedit.interaction.picking import in_world, seen_plane
+from plusedit.interaction.places import in_world, seen_plane
 from plusedit.interaction.readout import number, thread
 from plusedit.interaction.snapping import AXES, ROUND_ANGLE, to_step
 from plusedit.interaction.tool import Drag, Feedback, Held, Pointer, Shown, Stage

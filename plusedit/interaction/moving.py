@@ -6,7 +6,7 @@ from plusedit.commands.base import Targets, fitted
 from plusedit.commands.lines import Landing, MovePoints
 from plusedit.document.selection import LineId, Selection
 from plusedit.geometry.arrays import Floats
-from plusedit.interaction.picking import seen_plane
+from plusedit.interaction.places import seen_plane
 from plusedit.interaction.readout import shift_text
 from plusedit.interaction.snapping import AXES, along_axis, along_longer, to_grid
 from plusedit.interaction.tool import Drag, Feedback, Held, Pointer, Shown, Stage

@@ -5,7 +5,7 @@ from math import degrees
 import numpy as np
 
 from plusedit.geometry.arrays import Floats
-from plusedit.interaction.picking import in_world, seen_plane
+from plusedit.interaction.places import in_world, seen_plane
 from plusedit.interaction.snapping import decimals
 from plusedit.scene.camera import Camera
 from plusedit.scene.items import Item, Markers, Polygon, Polyline

@@ -10,7 +10,7 @@ from plusedit.commands.directions import Turn, quarter_exact, turned
 from plusedit.document.selection import LineId, Selection
 from plusedit.geometry.arrays import Floats, unit
 from plusedit.geometry.curve import PlusCurve
-from plusedit.interaction.picking import seen_plane
+from plusedit.interaction.places import seen_plane
 from plusedit.interaction.readout import angle_text, number
 from plusedit.interaction.snapping import ROUND_ANGLE, to_step
 from plusedit.interaction.tool import Drag, Feedback, Held, Pointer, Shown, Stage

@@ -21,7 +21,7 @@ from plusedit.scene.handles import END_ON, foreshortening
 SIDE = 22.0  # pixels, of a square by itself
 SMALLEST = 5.0  # pixels, where control points stand close
 ROOM = 0.6  # of the distance of control points that a square may take
-SHORTEST, LONGEST = 26.0, 64.0  # pixels from dot to grip, seen from the side
+SHORTEST, LONGEST = 26.0, 48.0  # pixels from dot to grip, seen from the side
 LEAST = 16.0  # pixels on the screen, however steeply an arm is seen
 STEEP = 0.08  # foreshortening down to which that holds
 SPACIOUS = 56.0  # pixels between control points from which every plane shows its grips

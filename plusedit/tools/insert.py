@@ -5,8 +5,9 @@ from typing import ClassVar
 
 from plusedit.commands.base import Command, Together
 from plusedit.commands.shapes import InsertLine
+from plusedit.interaction.hits import Hit
 from plusedit.interaction.moving import move_drag
-from plusedit.interaction.picking import Hit, curves_under
+from plusedit.interaction.picking import curves_under
 from plusedit.interaction.readout import number, ring
 from plusedit.interaction.tool import Drag, Feedback, Outcome, Pointer, Shown, Stage, register
 

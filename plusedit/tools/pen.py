@@ -22,7 +22,7 @@ from plusedit.interaction.drawing import (
     shortened,
 )
 from plusedit.interaction.moving import snaps
-from plusedit.interaction.picking import seen_plane
+from plusedit.interaction.places import seen_plane
 from plusedit.interaction.readout import ring, shift_text, thread
 from plusedit.interaction.snapping import PEN_ANGLE, to_grid, to_step
 from plusedit.interaction.tool import (

@@ -10,8 +10,9 @@ from plusedit.document.joints import joined
 from plusedit.document.selection import NOTHING_SELECTED, LineId, Selection
 from plusedit.document.shape import ShapeId
 from plusedit.geometry.arrays import Floats
+from plusedit.interaction.hits import Hit
 from plusedit.interaction.moving import move_drag
-from plusedit.interaction.picking import Hit, all_under, inside, polyline, under
+from plusedit.interaction.picking import all_under, inside, under
 from plusedit.interaction.readout import box, ring
 from plusedit.interaction.tool import (
     REACH,
@@ -25,6 +26,7 @@ from plusedit.interaction.tool import (
     register,
 )
 from plusedit.interaction.turning import pull_drag, turn_drag
+from plusedit.scene.drawn import drawn
 from plusedit.scene.handles import handles
 from plusedit.scene.items import Item, Polyline
 
@@ -188,7 +190,7 @@ def _has_direction(line: LineId, stage: Stage) -> bool:
 def _highlight(hit: Hit, stage: Stage) -> Item:
     curve = stage.design.curve(hit.shape)
     if hit.kind == "curve":
-        return Polyline(polyline(curve, stage.camera).points, "hover", 3.0)
+        return Polyline(drawn(curve, stage.camera).points, "hover", 3.0)
     at: Floats = curve.lines.points[[hit.number]]
     if hit.kind == "grip":
         at = at + hit.side * handles(curve, stage.camera).arms[[hit.number]]

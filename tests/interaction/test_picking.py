@@ -11,11 +11,11 @@ from plusedit.geometry.lines import ControlLines
 from plusedit.interaction.picking import (
     curves_under,
     handles_under,
-    in_world,
     inside,
     nearest_on_segments,
     under,
 )
+from plusedit.interaction.places import in_world
 from plusedit.interaction.tool import REACH, Stage
 from plusedit.scene.camera import PlaneCamera
 from plusedit.scene.handles import handles
