@@ -47,7 +47,7 @@ def insert_line(curve: PlusCurve, u: float) -> tuple[PlusCurve, int]:
     basis, index = larger_basis(curve.basis, float(u))
     shares = exact_shares(curve.basis, basis)
     if shares is not None:
-        return _refined(curve, basis, shares), index
+        return refined(curve, basis, shares), index
     # Where old lines keep their nodes the new one stands at u. On a closed curve with even nodes
     # all lines move along it; begun at another point it has a node at u too.
     moved = curve.closed and not np.isin(curve.basis.nodes, basis.nodes).all()
@@ -171,9 +171,17 @@ def _inner_number(nodes: Floats, u: float) -> int:
     return int(np.abs(nodes[1:-1] - u).argmin()) + 1
 
 
-def _refined(curve: PlusCurve, basis: Basis, shares: Banded) -> PlusCurve:
-    """The same curve in a larger basis."""
+def refined(
+    curve: PlusCurve, basis: Basis, shares: Banded, distances: Floats | None = None
+) -> PlusCurve:
+    """The same curve in a larger basis, by the a_ji of the module.
+
+    `distances`, shaped as the entries of `shares`, are those of the new nodes from the nodes of
+    the old lines; to be given where images of a closed curve take part.
+    """
     old, directions = curve.lines, curve.directions
+    if distances is None:
+        distances = basis.nodes[:, None] - curve.basis.nodes[shares.columns]
     weights = None
     if old.weights is not None:
         largest = old.weights.max()
@@ -181,7 +189,6 @@ def _refined(curve: PlusCurve, basis: Basis, shares: Banded) -> PlusCurve:
         weights = parts.sum(axis=1)
         shares = replace(shares, entries=parts / weights[:, None])
         weights *= largest
-    distances = basis.nodes[:, None] - curve.basis.nodes[shares.columns]
     pulls = replace(shares, entries=shares.entries * distances)
     points = shares @ old.points + pulls @ (curve.s * directions)
     turned = shares @ directions
@@ -193,7 +200,8 @@ def _refined(curve: PlusCurve, basis: Basis, shares: Banded) -> PlusCurve:
         weights[new] = old.weights[same]
     was_automatic = np.zeros(len(points), dtype=bool)
     was_automatic[new] = old.automatic[same]
-    return PlusCurve(basis, _lines(curve, points, turned, was_automatic, weights), curve.s)
+    lines = _lines(basis.closed, points, turned, was_automatic, weights)
+    return PlusCurve(basis, lines, curve.s)
 
 
 def _fitted(curve: PlusCurve, basis: Basis, index: int, shift: float) -> PlusCurve:
@@ -220,7 +228,7 @@ def _fitted(curve: PlusCurve, basis: Basis, index: int, shift: float) -> PlusCur
     points[free] += change_of_points
     directions[free] += change_of_directions / pull
     return PlusCurve(
-        basis, _lines(curve, points, directions, guess.automatic, guess.weights), near.s
+        basis, _lines(curve.closed, points, directions, guess.automatic, guess.weights), near.s
     )
 
 
@@ -255,13 +263,13 @@ def _involved(values: Floats, missing: Floats, extent: float) -> NDArray[np.intp
 
 
 def _lines(
-    curve: PlusCurve,
+    closed: bool,
     points: Floats,
     directions: Floats,
     was_automatic: NDArray[np.bool_],
     weights: Floats | None,
 ) -> ControlLines:
     """Lines with those directions, automatic where they were and would be the same."""
-    automatic = automatic_directions(points, closed=curve.closed)
+    automatic = automatic_directions(points, closed=closed)
     kept = was_automatic & (automatic == directions).all(axis=1)
     return ControlLines(points, directions, kept, weights)
