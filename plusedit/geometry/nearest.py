@@ -1,26 +1,26 @@
-"""The parameter of the point of a curve that is nearest to a given point.
+"""The parameter of the point of a curve that is nearest to a given point, or to a ray.
 
 The curve is first taken for a chain of chords that stray from it by less than a small part of
 its size. Only chords about as near as the nearest one can hide the answer; on each of those the
-distance is made least by Newton's method on (C - q) . C', kept inside the chord by bisection.
+distance is made least by Newton's method, kept inside the chord by bisection: to a point q on
+(C - q) . C', to a ray from q along d on the same less its part along d, where that is positive.
 """
 
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from plusedit.geometry.arrays import Floats
+from plusedit.geometry.arrays import Floats, frozen, unit
 from plusedit.geometry.curve import PlusCurve
-from plusedit.geometry.tessellate import seen_along, tessellation
+from plusedit.geometry.tessellate import Axes, seen_along, tessellation
 
 STRAY = 1e-4  # of the size of the curve: how far chords may lie from it
 CANDIDATES = 12  # chords looked at closely, for one point
 STEPS = 60  # a bracket shrinks below the spacing of doubles in 52 halvings
 BLOCK = 1 << 18  # distances of points from chords worked out at once
-
-Axes = tuple[int, int] | None
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,61 +56,157 @@ def nearest_parameters(curve: PlusCurve, points: ArrayLike, *, axes: Axes = None
         raise ValueError("points: has a value that is not finite")
     chords = _chords(curve, axes)
     step = max(1, BLOCK // len(chords.u))
-    found = [_nearest(curve, at[i : i + step], chords, axes) for i in range(0, len(at), step)]
-    return np.concatenate([np.zeros(0), *found])
+    goals = [_Points(curve, at[i : i + step], axes) for i in range(0, len(at), step)]
+    return np.concatenate([np.zeros(0), *(_nearest(goal, chords) for goal in goals)])
+
+
+def nearest_to_ray(curve: PlusCurve, origin: ArrayLike, direction: ArrayLike) -> float:
+    """The parameter in [0, 1] of the point of `curve` nearest to a ray.
+
+    The ray begins at `origin` (3,) and runs along `direction` (3,), of any length, without end;
+    a plane curve lies in z = 0. Where several points are equally near it is one of them. Raises
+    ValueError if the direction is zero or a number is not finite.
+    """
+    start = frozen(origin, shape=(3,), name="origin")
+    heading = unit(frozen(direction, shape=(3,), name="direction"))
+    if not heading.any():
+        raise ValueError("direction: a ray needs one that is not zero")
+    return float(_nearest(_Ray(curve, start, heading), _chords(curve, None))[0])
 
 
 @lru_cache(maxsize=64)
 def _chords(curve: PlusCurve, axes: Axes) -> _Chords:
     rough = curve.at(np.linspace(0.0, 1.0, 33))
     size = float((rough.max(axis=0) - rough.min(axis=0)).max())
-    size = max(size, np.finfo(np.float64).tiny)
-    # A space curve strays little if it does so both from above and from the front.
-    views = [axes] if axes else [(0, 1), (0, 2)][: curve.dimension - 1]
-    grids = [tessellation(curve, STRAY * size, axes=view).parameters for view in views]
-    u = np.unique(np.concatenate(grids))
-    return _Chords(u, _seen(curve.at(u), axes), STRAY * size * len(views))
+    stray = STRAY * max(size, np.finfo(np.float64).tiny / STRAY)
+    u = tessellation(curve, stray, axes=axes).parameters
+    return _Chords(u, seen_along(curve.at(u), axes), stray)
 
 
-def _nearest(curve: PlusCurve, at: Floats, chords: _Chords, axes: Axes) -> Floats:
-    """`nearest_parameters` of few points, by the chords."""
-    distance, along = _from_chords(at, chords)
+class _Goal(Protocol):
+    """What a curve shall come near to: m things at once."""
+
+    @property
+    def curve(self) -> PlusCurve: ...
+
+    def from_chords(self, chords: _Chords) -> tuple[Floats, Floats]:
+        """(m, k) distances from chords, and how far along the chord the nearest place is."""
+        ...
+
+    def distances(self, row: NDArray[np.intp], u: Floats) -> Floats:
+        """(r,) of the points of the curve at u from the things of those numbers."""
+        ...
+
+    def slopes(self, row: NDArray[np.intp], u: Floats) -> tuple[Floats, Floats]:
+        """(r,) first and second derivative by u of half the squared distance."""
+        ...
+
+
+@dataclass(frozen=True, eq=False)
+class _Points:
+    """Points (m, dim) as seen along axes."""
+
+    curve: PlusCurve
+    at: Floats
+    axes: Axes
+
+    def from_chords(self, chords: _Chords) -> tuple[Floats, Floats]:
+        start, way = chords.points[:-1], np.diff(chords.points, axis=0)
+        length, heading = np.linalg.norm(way, axis=1), unit(way)
+        offset = self.at[:, None] - start
+        along = np.clip(np.einsum("mkd,kd->mk", offset, heading), 0.0, length)
+        distance = np.linalg.norm(offset - along[..., None] * heading, axis=2)
+        return distance, np.divide(along, length, out=np.zeros_like(along), where=length > 0.0)
+
+    def distances(self, row: NDArray[np.intp], u: Floats) -> Floats:
+        away: Floats = seen_along(self.curve.at(u), self.axes) - self.at[row]
+        return np.asarray(np.linalg.norm(away, axis=1))
+
+    def slopes(self, row: NDArray[np.intp], u: Floats) -> tuple[Floats, Floats]:
+        point, velocity, acceleration = (
+            seen_along(rows, self.axes) for rows in self.curve.derivatives(u)
+        )
+        away = point - self.at[row]
+        slope: Floats = (away * velocity).sum(axis=1)
+        bend: Floats = (velocity * velocity).sum(axis=1) + (away * acceleration).sum(axis=1)
+        return slope, bend
+
+
+@dataclass(frozen=True, eq=False)
+class _Ray:
+    """One ray in space."""
+
+    curve: PlusCurve
+    origin: Floats
+    heading: Floats
+
+    def from_chords(self, chords: _Chords) -> tuple[Floats, Floats]:
+        points = _in_space(chords.points)
+        start, way = points[:-1] - self.origin, np.diff(points, axis=0)
+        # Along a chord the distance falls and then rises. It is least at an end, at the foot on
+        # the line of the ray, at that of the origin, or where the one takes over from the other.
+        rise, ahead = way @ self.heading, start @ self.heading
+        beside, across = start - np.outer(ahead, self.heading), way - np.outer(rise, self.heading)
+        places = np.stack(
+            [
+                np.zeros(len(way)),
+                np.ones(len(way)),
+                _quotient(-(beside * across).sum(axis=1), (across * across).sum(axis=1)),
+                _quotient(-(start * way).sum(axis=1), (way * way).sum(axis=1)),
+                _quotient(-ahead, rise),
+            ]
+        )
+        found = self._from(start + places[..., None] * way)
+        best = found.argmin(axis=0)
+        column = np.arange(len(way))
+        return found[best, column][None], places[best, column][None]
+
+    def distances(self, row: NDArray[np.intp], u: Floats) -> Floats:
+        return self._from(_in_space(self.curve.at(u)) - self.origin)
+
+    def slopes(self, row: NDArray[np.intp], u: Floats) -> tuple[Floats, Floats]:
+        point, velocity, acceleration = (_in_space(rows) for rows in self.curve.derivatives(u))
+        away = point - self.origin
+        ahead = np.maximum(away @ self.heading, 0.0)
+        away -= ahead[:, None] * self.heading
+        across = np.where(ahead > 0.0, velocity @ self.heading, 0.0)
+        slope: Floats = (away * velocity).sum(axis=1)
+        bend: Floats = (velocity * velocity).sum(axis=1) + (away * acceleration).sum(axis=1)
+        return slope, bend - across**2
+
+    def _from(self, away: Floats) -> Floats:
+        """(...) distances of points from the ray, given as seen from its origin (..., 3)."""
+        ahead = np.maximum(away @ self.heading, 0.0)
+        return np.asarray(np.linalg.norm(away - ahead[..., None] * self.heading, axis=-1))
+
+
+def _nearest(goal: _Goal, chords: _Chords) -> Floats:
+    """(m,) the parameters at which the curve is nearest to each thing, by the chords."""
+    distance, along = goal.from_chords(chords)
     count = min(CANDIDATES, distance.shape[1])
     best = np.argpartition(distance, count - 1, axis=1)[:, :count]
     near = np.take_along_axis(distance, best, axis=1)
     row, place = np.nonzero(near <= near.min(axis=1, keepdims=True) + 2.0 * chords.stray)
     chord = best[row, place]
     low, high = chords.u[chord], chords.u[chord + 1]
-    inside = _descended(curve, at[row], low, high, low + along[row, chord] * (high - low), axes)
+    inside = _descended(goal, row, (low, high), low + along[row, chord] * (high - low))
     u = np.concatenate([low, inside, high])
     row = np.tile(row, 3)
-    missed = np.linalg.norm(_seen(curve.at(u), axes) - at[row], axis=1)
-    order = np.lexsort((missed, row))
-    first = np.searchsorted(row[order], np.arange(len(at)))
+    order = np.lexsort((goal.distances(row, u), row))
+    first = np.searchsorted(row[order], np.arange(len(distance)))
     found: Floats = u[order[first]]
-    return np.where(found == 1.0, 0.0, found) if curve.closed else found
-
-
-def _from_chords(at: Floats, chords: _Chords) -> tuple[Floats, Floats]:
-    """(m, k) distances of points from chords, and how far along the chord the nearest is."""
-    start, way = chords.points[:-1], np.diff(chords.points, axis=0)
-    length = np.linalg.norm(way, axis=1)
-    heading = np.divide(way, length[:, None], out=np.zeros_like(way), where=length[:, None] > 0.0)
-    offset = at[:, None] - start
-    along = np.clip(np.einsum("mkd,kd->mk", offset, heading), 0.0, length)
-    distance = np.linalg.norm(offset - along[..., None] * heading, axis=2)
-    return distance, np.divide(along, length, out=np.zeros_like(along), where=length > 0.0)
+    return np.where(found == 1.0, 0.0, found) if goal.curve.closed else found
 
 
 def _descended(
-    curve: PlusCurve, at: Floats, low: Floats, high: Floats, start: Floats, axes: Axes
+    goal: _Goal, row: NDArray[np.intp], between: tuple[Floats, Floats], start: Floats
 ) -> Floats:
-    """(m,) parameters between `low` and `high`, near `start`, where the distance stops falling."""
-    u, low, high = start, low.copy(), np.nextafter(high, low)
-    moving = np.arange(len(u))
+    """(r,) parameters between two, near `start`, where the distance stops falling."""
+    low, high = between[0].copy(), np.nextafter(between[1], between[0])
+    u, moving = start, np.arange(len(start))
     result = u.copy()
     for _ in range(STEPS):
-        slope, bend = _slopes(curve, at[moving], u, axes)
+        slope, bend = goal.slopes(row[moving], u)
         high = np.where(slope > 0.0, u, high)
         low = np.where(slope > 0.0, low, u)
         step = np.divide(slope, bend, out=np.full_like(slope, np.inf), where=bend > 0.0)
@@ -130,14 +226,15 @@ def _going(ahead: Floats, u: Floats, low: Floats, high: Floats) -> NDArray[np.bo
     return going
 
 
-def _slopes(curve: PlusCurve, at: Floats, u: Floats, axes: Axes) -> tuple[Floats, Floats]:
-    """(m,) first and second derivative of half the squared distance."""
-    point, velocity, acceleration = (_seen(row, axes) for row in curve.derivatives(u))
-    away = point - at
-    slope: Floats = (away * velocity).sum(axis=1)
-    bend: Floats = (velocity * velocity).sum(axis=1) + (away * acceleration).sum(axis=1)
-    return slope, bend
+def _quotient(above: Floats, below: Floats) -> Floats:
+    """The places from 0 to 1; 0 where there is nothing to divide by."""
+    with np.errstate(over="ignore"):
+        quotient = np.divide(above, below, out=np.zeros_like(above), where=below != 0.0)
+    return np.clip(quotient, 0.0, 1.0)
 
 
-def _seen(points: Floats, axes: Axes) -> Floats:
-    return points if axes is None else seen_along(points, axes)
+def _in_space(points: Floats) -> Floats:
+    """(m, 3) the points; those of a plane curve lie in z = 0."""
+    if points.shape[1] == 3:
+        return points
+    return np.column_stack([points, np.zeros(len(points))])

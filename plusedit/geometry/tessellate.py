@@ -26,7 +26,10 @@ SAMPLED = np.linspace(0.0, 1.0, 5)
 BETWEEN = np.linspace(0.0, 1.0, 17)[1:-1]
 
 Window = tuple[Floats, Floats]
-"""Lower left and upper right corner, (2,) each."""
+"""Lower left and upper right corner, (2,) each; (3,) each where all of space is measured."""
+
+Axes = tuple[int, int] | None
+"""Along which two coordinates a curve is seen; None: along all it has."""
 
 
 def _interpolation() -> Floats:
@@ -42,13 +45,13 @@ def tessellation(
     tolerance: float,
     *,
     window: Window | None = None,
-    axes: tuple[int, int] = (0, 1),
+    axes: Axes = (0, 1),
 ) -> Grid:
     """Parameters whose chords stay within `tolerance` of the curve inside `window`.
 
     They increase from 0 to 1, hold every knot, and are at most 20000. `tolerance` is in the
-    unit of the points and is measured as the curve is seen along `axes`; a plane curve lies in
-    z = 0. Without a window all of the curve counts.
+    unit of the points and is measured as the curve is seen along `axes`, or with None in space;
+    a plane curve lies in z = 0. Without a window all of the curve counts.
 
     Raises ValueError if the tolerance is not positive.
     """
@@ -83,7 +86,7 @@ def is_fine(
     grid: Grid,
     tolerance: float,
     window: Window | None = None,
-    axes: tuple[int, int] = (0, 1),
+    axes: Axes = (0, 1),
 ) -> bool:
     """Whether a grid made for another curve, or another window, does for this one.
 
@@ -98,8 +101,10 @@ def is_fine(
     return not bool((seen & (strays > max(tolerance, rounding))).any())
 
 
-def seen_along(points: Floats, axes: tuple[int, int]) -> Floats:
-    """(m, 2) the two coordinates that are seen; a plane curve lies in z = 0."""
+def seen_along(points: Floats, axes: Axes) -> Floats:
+    """(m, 2) the two coordinates that are seen, or (m, dim) all; a plane curve lies in z = 0."""
+    if axes is None:
+        return points
     if points.shape[1] == 2:
         if axes == (0, 1):
             return points
@@ -120,42 +125,44 @@ def _within(low: Floats, high: Floats) -> Floats:
 
 
 def _judged(
-    points: Floats, window: Window | None, axes: tuple[int, int]
+    points: Floats, window: Window | None, axes: Axes
 ) -> tuple[Floats, NDArray[np.bool_], float]:
     """How far each interval strays from its chord, whether it may be seen, and the rounding.
 
     `points` (5 m, dim) are those of the curve at the parameters of `_within`.
     """
-    x, y = seen_along(points, axes).T.reshape(2, -1, len(SAMPLED))
-    rounding = 16.0 * float(np.finfo(np.float64).eps * max(np.abs(x).max(), np.abs(y).max()))
-    inside_x, inside_y = x @ INTERPOLATION, y @ INTERPOLATION
-    ends = (x[:, 0], y[:, 0]), (x[:, -1], y[:, -1])
-    strays = _distances(inside_x, inside_y, *ends).max(axis=1)
+    seen = seen_along(points, axes)
+    at = seen.T.reshape(seen.shape[1], -1, len(SAMPLED))
+    rounding = 16.0 * float(np.finfo(np.float64).eps * np.abs(at).max())
+    inside = at @ INTERPOLATION
+    strays = _distances(inside, at[..., 0], at[..., -1]).max(axis=1)
     if window is None:
-        return strays, np.ones(len(x), dtype=np.bool_), rounding
-    across, up = np.concatenate([inside_x, x], axis=1), np.concatenate([inside_y, y], axis=1)
-    return strays, _near(across, up, window), rounding
+        return strays, np.ones(len(strays), dtype=np.bool_), rounding
+    return strays, _near(np.concatenate([inside, at], axis=2), window), rounding
 
 
-def _distances(x: Floats, y: Floats, a: tuple[Floats, Floats], b: tuple[Floats, Floats]) -> Floats:
-    """(m, k) of the points (x, y), (m, k) each, from the segments a b, (m,) each."""
-    across, up = (b[0] - a[0])[:, None], (b[1] - a[1])[:, None]
-    length = np.hypot(across, up)
-    safe = np.where(length > 0.0, length, 1.0)
-    across, up = across / safe, up / safe
-    x, y = x - a[0][:, None], y - a[1][:, None]
-    along = np.clip(x * across + y * up, 0.0, length)
-    distances: Floats = np.hypot(x - along * across, y - along * up)
-    return distances
+def _distances(points: Floats, a: Floats, b: Floats) -> Floats:
+    """(m, k) of the points (dim, m, k) from the segments from a to b, (dim, m) each."""
+    length = _lengths(b - a)
+    heading = ((b - a) / np.where(length > 0.0, length, 1.0))[..., None]
+    away = points - a[..., None]
+    along = np.einsum("dmk,dmk->mk", away, np.broadcast_to(heading, away.shape))
+    away -= np.clip(along, 0.0, length[:, None]) * heading
+    return _lengths(away)
 
 
-def _near(x: Floats, y: Floats, window: Window) -> NDArray[np.bool_]:
-    """(m,) whether the boxes of the points (m, k), a little enlarged, reach into the window."""
-    left, right, below, above = x.min(axis=1), x.max(axis=1), y.min(axis=1), y.max(axis=1)
-    more = MARGIN * np.maximum(right - left, above - below)
-    (x0, y0), (x1, y1) = window
-    beside = (left - more > x1) | (right + more < x0)
-    near: NDArray[np.bool_] = ~(beside | (below - more > y1) | (above + more < y0))
+def _lengths(vectors: Floats) -> Floats:
+    """(...) of the vectors (dim, ...), of whatever size."""
+    lengths: Floats = np.hypot(vectors[0], vectors[1])
+    return np.hypot(lengths, vectors[2]) if len(vectors) == 3 else lengths
+
+
+def _near(points: Floats, window: Window) -> NDArray[np.bool_]:
+    """(m,) whether the boxes of points (dim, m, k), a little enlarged, reach into the window."""
+    low, high = points.min(axis=2), points.max(axis=2)
+    more = MARGIN * (high - low).max(axis=0)
+    first, last = (np.asarray(corner)[:, None] for corner in window)
+    near: NDArray[np.bool_] = ((low - more <= last) & (high + more >= first)).all(axis=0)
     return near
 
 

@@ -8,7 +8,7 @@ from plusedit.geometry.bases.bernstein import Bernstein
 from plusedit.geometry.bases.bspline import BSpline
 from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.lines import ControlLines
-from plusedit.geometry.nearest import nearest_parameter, nearest_parameters
+from plusedit.geometry.nearest import nearest_parameter, nearest_parameters, nearest_to_ray
 from tests.geometry.curves import KINDS, random_curve
 
 
@@ -126,3 +126,50 @@ def test_no_points_have_no_parameters():
 def test_points_that_do_not_fit_are_refused(point):
     with pytest.raises(ValueError, match="points: "):
         nearest_parameter(random_curve("bezier"), point)
+
+
+def from_ray(points, origin, direction):
+    """Distances of points in space from a ray."""
+    heading = np.asarray(direction) / np.linalg.norm(direction)
+    ahead = np.maximum((points - origin) @ heading, 0.0)
+    return np.linalg.norm(points - origin - ahead[:, None] * heading, axis=1)
+
+
+def in_space(points):
+    return np.pad(points, ((0, 0), (0, 3 - points.shape[1])))
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("dimension", [2, 3])
+def test_nothing_nearer_to_a_ray_is_found_by_looking(kind, dimension):
+    curve = random_curve(kind, seed=2, dimension=dimension, contrast=10.0)
+    everywhere = in_space(curve.at(np.linspace(0.0, 1.0, 20001)))
+    random = np.random.default_rng(4)
+    for _ in range(20):
+        origin, direction = random.normal(0.0, 1.5, 3), random.normal(size=3)
+        found = in_space(curve.at(nearest_to_ray(curve, origin, direction)))
+        least = from_ray(everywhere, origin, direction).min()
+        assert from_ray(found, origin, direction)[0] <= least * (1.0 + 1e-9) + 1e-15
+
+
+def test_a_ray_through_a_point_of_the_curve_finds_it():
+    curve = random_curve("bspline", dimension=3, seed=3)
+    eye = np.array([0.3, -5.0, 8.0])
+    for u in (0.0, 0.21, 0.5, 0.987):
+        there = curve.at(u)[0]
+        assert_allclose(nearest_to_ray(curve, eye, there - eye), u, atol=1e-9)
+
+
+def test_what_is_behind_the_origin_of_a_ray_is_near_only_to_its_origin():
+    curve = PlusCurve(Bernstein(2), ControlLines.of([(-4.0, 0.0, 0.0), (6.0, 0.0, 0.0)]), s=0.0)
+    along_x = np.array([1.0, 0.0, 0.0])
+    assert nearest_to_ray(curve, (9.0, 0.0, 1.0), along_x) == 1.0
+    assert curve.at(nearest_to_ray(curve, (9.0, 0.0, 1.0), -along_x))[0, 0] <= 6.0
+    down = nearest_to_ray(curve, (1.0, 3.0, 1.0), (0.0, 1.0, 0.0))
+    assert_allclose(curve.at(down)[0], [1.0, 0.0, 0.0], atol=1e-9)
+
+
+@pytest.mark.parametrize("direction", [(0.0, 0.0, 0.0), (np.nan, 0.0, 1.0)])
+def test_a_ray_without_a_direction_is_refused(direction):
+    with pytest.raises(ValueError, match="direction: "):
+        nearest_to_ray(random_curve("bezier"), (0.0, 0.0, 1.0), direction)

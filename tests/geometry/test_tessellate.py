@@ -26,13 +26,12 @@ def strays(curve, grid, axes=(0, 1), window=None, count=20001):
     inside = np.concatenate([u[:-1, None] + np.diff(u)[:, None] * np.linspace(0, 1, 9)])
     dense = np.unique(np.concatenate([np.linspace(0.0, 1.0, count), inside.ravel()]))
     points = curve.at(dense)
-    if curve.dimension == 2:
-        points = np.column_stack([points, np.zeros(len(points))])
-    points = points[:, axes]
     ends = curve.at(u)
-    if curve.dimension == 2:
-        ends = np.column_stack([ends, np.zeros(len(ends))])
-    ends = ends[:, axes]
+    if axes is not None:
+        if curve.dimension == 2:
+            points = np.column_stack([points, np.zeros(len(points))])
+            ends = np.column_stack([ends, np.zeros(len(ends))])
+        points, ends = points[:, axes], ends[:, axes]
     piece = np.clip(np.searchsorted(u, dense, side="right") - 1, 0, len(u) - 2)
     a, b = ends[piece], ends[piece + 1]
     along = ((points - a) * (b - a)).sum(axis=1)
@@ -171,6 +170,30 @@ def test_what_is_seen_from_the_front_is_measured_there():
 def test_a_plane_curve_seen_from_the_front_is_a_line():
     curve = random_curve("bezier")
     assert strays(curve, tessellation(curve, 1e-3, axes=(0, 2)), axes=(0, 2)) <= 1e-3
+
+
+@every_kind
+@pytest.mark.parametrize("tolerance", [0.1, 1e-3])
+def test_measured_in_space_chords_stay_within_the_tolerance_in_space(kind, tolerance):
+    curve = random_curve(kind, dimension=3, seed=3, contrast=10.0)
+    grid = tessellation(curve, tolerance, axes=None)
+    assert strays(curve, grid, axes=None) <= tolerance
+    assert is_fine(curve, grid, tolerance, axes=None)
+    assert not is_fine(curve, grid, tolerance / 100.0, axes=None)
+
+
+def test_measured_in_space_a_plane_curve_is_what_it_is_seen_from_above():
+    curve = random_curve("bspline")
+    assert tessellation(curve, 1e-3, axes=None) == tessellation(curve, 1e-3)
+
+
+def test_a_window_in_space_is_a_box():
+    curve = random_curve("bspline", dimension=3, seed=1)
+    center = curve.at(0.437)[0]
+    window = (center - 1e-3, center + 1e-3)
+    grid = tessellation(curve, 1e-6, axes=None, window=window)
+    assert strays(curve, grid, axes=None, window=window) <= 1e-6
+    assert len(grid) < 200
 
 
 @every_kind
