@@ -119,11 +119,11 @@ def fresh(
 def shifted(shape: Shape, offset: Floats) -> Shape:
     """The shape moved by `offset`, visible and unlocked."""
     shape = replace(shape, visible=True, locked=False)
-    curve = shape.curve
-    if curve is None or not offset.any():
+    geometry = shape.plus
+    if geometry is None or not offset.any():
         return shape
-    points = curve.lines.points + fitted(offset, curve.dimension)
-    return shape.with_curve(replace(curve, lines=curve.lines.with_points(points)))
+    points = geometry.net.control_points + fitted(offset, geometry.dimension)
+    return shape.with_plus(geometry.with_net(geometry.net.with_control_points(points)))
 
 
 def counted(count: int) -> str:

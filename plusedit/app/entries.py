@@ -13,8 +13,7 @@ from plusedit.app.actions import Entry
 from plusedit.app.toolbar import tools_in_order
 from plusedit.interaction.actions import EditAction, edit_actions
 from plusedit.interaction.tool import tools
-from plusedit.scene.camera import Projection
-from plusedit.scene.options import Handles
+from plusedit.scene.options import Handles, Shading, ShownPanes
 from plusedit.scene.overlays import in_order
 
 if TYPE_CHECKING:
@@ -34,6 +33,10 @@ SWITCHES = {
     "grid": ("Grid", "Ctrl+'"),
     "rulers": ("Rulers", "Ctrl+R"),
     "snap": ("Snap to grid", "Shift+S"),
+    "ground": ("Ground of the 3D view", ""),
+    "isolines": ("Lines of constant u and v", "Shift+I"),
+    "wire": ("Mesh of the 3D view", "Shift+W"),
+    "front_only": ("Pick in front only", ""),
 }
 HANDLES: dict[Handles, str] = {
     "auto": "Automatic",
@@ -41,11 +44,21 @@ HANDLES: dict[Handles, str] = {
     "all": "Of all curves",
     "none": "None",
 }
-PROJECTIONS: tuple[tuple[Projection, str, str], ...] = (
+PANES: dict[ShownPanes, tuple[str, str]] = {
+    "2d": ("2D view", "Ctrl+1"),
+    "3d": ("3D view", "Ctrl+2"),
+    "both": ("Both views", "Ctrl+3"),
+}
+SIDES = (
     ("top", "Top", "Num+7"),
     ("front", "Front", "Num+1"),
     ("right", "Right", "Num+3"),
+    ("bottom", "Bottom", "Ctrl+Num+7"),
+    ("back", "Back", "Ctrl+Num+1"),
+    ("left", "Left", "Ctrl+Num+3"),
+    ("iso", "Isometric", "Num+0"),
 )
+SHADINGS: dict[Shading, str] = {"studio": "Studio light", "matcap": "Matte clay"}
 THEMES = {"system": "As the desktop", "light": "Light", "dark": "Dark"}
 MODAL = (("move", "Move", "G"), ("turn", "Rotate", "R"), ("scale", "Scale", "S"))
 ZOOM = 1.4  # for one press of a key
@@ -136,47 +149,62 @@ def design_entries(window: "MainWindow") -> Iterator[Entry]:
 
 def view_entries(window: "MainWindow") -> Iterator[Entry]:
     """What is seen, and from where."""
-    view, canvas = window.view, window.canvas
+    view, panes = window.view, window.panes
+    for shown, (title, key) in PANES.items():
+        yield Entry(
+            f"panes.{shown}", title, "View",
+            lambda shown=shown: view.show_panes(shown), (key,), 0,  # type: ignore[misc]
+            checked=lambda shown=shown: view.panes == shown,  # type: ignore[misc]
+        )  # fmt: skip
     for overlay in in_order():
         yield Entry(
             f"overlay.{overlay.name}", overlay.title, "View",
             lambda name=overlay.name: view.toggle_overlay(name),  # type: ignore[misc]
-            (overlay.shortcut,) if overlay.shortcut else (), 0,
+            (overlay.shortcut,) if overlay.shortcut else (), 1,
             checked=lambda name=overlay.name: name in view.options.overlays,  # type: ignore[misc]
         )  # fmt: skip
     for handles, title in HANDLES.items():
         yield Entry(
             f"handles.{handles}", title, "View/Control lines",
-            lambda handles=handles: view.set_handles(handles), (), 1,  # type: ignore[misc]
+            lambda handles=handles: view.set_handles(handles), (), 2,  # type: ignore[misc]
             checked=lambda handles=handles: view.options.handles == handles,  # type: ignore[misc]
         )  # fmt: skip
     for name, (title, key) in SWITCHES.items():
         yield Entry(
             f"view.{name}", title, "View",
-            lambda name=name: view.toggle(name), (key,), 2, name,  # type: ignore[misc]
+            lambda name=name: view.toggle(name), (key,) if key else (), 3, name,  # type: ignore[misc]
             checked=lambda name=name: bool(getattr(view.options, name)),  # type: ignore[misc]
         )  # fmt: skip
-    for projection, title, key in PROJECTIONS:
+    for shading, title in SHADINGS.items():
         yield Entry(
-            f"projection.{projection}", title, "View/Projection",
-            lambda which=projection: view.set_projection(which), (key,), 3,  # type: ignore[misc]
-            checked=lambda which=projection: view.projection == which,  # type: ignore[misc]
+            f"shading.{shading}", title, "View/Shading",
+            lambda value=shading: view.set_option("shading", value), (), 4,  # type: ignore[misc]
+            checked=lambda value=shading: view.options.shading == value,  # type: ignore[misc]
         )  # fmt: skip
-    yield Entry("frame_all", "Frame all", "View", canvas.frame_all, ("Home",), 4, "frame-all")
-    yield Entry(
-        "frame_selected", "Frame selected", "View", canvas.frame_selected, ("F",), 4, "frame"
-    )
-    yield Entry("zoom_in", "Zoom in", "View", lambda: canvas.zoom(ZOOM),
-                ("Ctrl++", "Ctrl+="), 4, "zoom-in")  # fmt: skip
-    yield Entry("zoom_out", "Zoom out", "View", lambda: canvas.zoom(1.0 / ZOOM),
-                ("Ctrl+-",), 4, "zoom-out")  # fmt: skip
+    for side, title, key in SIDES:
+        yield Entry(
+            f"projection.{side}", title, "View/Look from",
+            lambda which=side: view.look_from(which), (key,), 5,  # type: ignore[misc]
+            checked=lambda which=side: view.looks_from == which,  # type: ignore[misc]
+        )  # fmt: skip
+    yield Entry("perspective", "Perspective", "View/Look from", view.toggle_perspective,
+                ("Num+5",), 5, checked=lambda: view.is_perspective,
+                hint="In the 3D view, far things are smaller")  # fmt: skip
+    yield Entry("frame_all", "Frame all", "View", lambda: panes.active.frame_all(),
+                ("Home",), 6, "frame-all")  # fmt: skip
+    yield Entry("frame_selected", "Frame selected", "View", lambda: panes.active.frame_selected(),
+                ("F",), 6, "frame")  # fmt: skip
+    yield Entry("zoom_in", "Zoom in", "View", lambda: panes.active.zoom(ZOOM),
+                ("Ctrl++", "Ctrl+="), 6, "zoom-in")  # fmt: skip
+    yield Entry("zoom_out", "Zoom out", "View", lambda: panes.active.zoom(1.0 / ZOOM),
+                ("Ctrl+-",), 6, "zoom-out")  # fmt: skip
     for look, title in THEMES.items():
         yield Entry(
             f"look.{look}", title, "View/Theme",
-            lambda look=look: view.set_look(look), (), 5,  # type: ignore[misc]
+            lambda look=look: view.set_look(look), (), 7,  # type: ignore[misc]
             checked=lambda look=look: window.settings.look == look,  # type: ignore[misc]
         )  # fmt: skip
-    yield Entry("full_screen", "Full screen", "View", window.toggle_full_screen, ("F11",), 6,
+    yield Entry("full_screen", "Full screen", "View", window.toggle_full_screen, ("F11",), 8,
                 checked=window.isFullScreen)  # fmt: skip
 
 
@@ -189,7 +217,7 @@ def help_entries(window: "MainWindow") -> Iterator[Entry]:
 
 
 def _begins(window: "MainWindow", drag: str) -> Callable[[], None]:
-    return lambda: window.gestures.begin(drag, window.canvas.pointer)
+    return lambda: window.gestures.begin(drag, window.panes.active.pointer)
 
 
 def _performs(window: "MainWindow", action: EditAction) -> Callable[[], None]:

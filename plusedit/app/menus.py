@@ -7,7 +7,18 @@ from PySide6.QtWidgets import QMenu, QMenuBar, QWidget
 
 from plusedit.app.actions import ActionTable
 
-ORDER = ("File", "Edit", "Select", "Control lines", "Curve", "Arrange", "View", "Window", "Help")
+ORDER = (
+    "File",
+    "Edit",
+    "Select",
+    "Control lines",
+    "Curve",
+    "Surface",
+    "Arrange",
+    "View",
+    "Window",
+    "Help",
+)
 IN_CONTEXT = (
     ("cut", "copy", "paste", "edit.duplicate", "edit.delete"),
     ("edit.reset_directions", "edit.reverse_directions", "edit.reverse_curve"),

@@ -17,8 +17,8 @@ from plusedit.app.settings import Settings
 from plusedit.app.shortcut_editor import ShortcutEditor
 from plusedit.interaction.tool import NewCurves
 from plusedit.views.arithmetic import calculated, written
+from plusedit.views.family_form import family_titles
 from plusedit.views.live import quiet
-from plusedit.views.shape_form import family_titles
 
 LOOKS = {"system": "As the desktop", "light": "Light", "dark": "Dark"}
 HIGHEST_ORDER = 20
@@ -38,6 +38,8 @@ class Preferences(QDialog):
         step = settings.grid_step
         self.grid_step = QLineEdit("" if step is None else written(step, 12))
         self.grid_step.setPlaceholderText("follows the zoom")
+        self.animated = QCheckBox("Cameras glide from one view to the next")
+        self.animated.setChecked(settings.animated)
         self._curves(settings.new_curves)
         self.shortcuts = ShortcutEditor(table)
         self._reason = quiet()
@@ -76,6 +78,7 @@ class Preferences(QDialog):
         form.addRow("Theme", self.look)
         form.addRow("Grid step", self.grid_step)
         form.addRow("", quiet("What points snap to and arrow keys move by."))
+        form.addRow("Views", self.animated)
         form.addRow("New curves", self.family)
         form.addRow("Order", self.order)
         form.addRow("", quiet("Of new B-splines; a cubic has order 4."))
@@ -96,6 +99,7 @@ class Preferences(QDialog):
             return
         self._settings.look = str(self.look.currentData())
         self._settings.grid_step = step
+        self._settings.animated = self.animated.isChecked()
         self._settings.new_curves = NewCurves(
             str(self.family.currentData()), round(order), self.closed.isChecked()
         )

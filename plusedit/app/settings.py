@@ -41,6 +41,15 @@ class Settings:
         self._stored.setValue("look", value)
 
     @property
+    def animated(self) -> bool:
+        """Whether cameras glide from one view to the next."""
+        return str(self._stored.value("animated")).lower() != "false"
+
+    @animated.setter
+    def animated(self, value: bool) -> None:
+        self._stored.setValue("animated", value)
+
+    @property
     def grid_step(self) -> float | None:
         """What points snap to and arrow keys move by; None: the grid that is seen."""
         try:

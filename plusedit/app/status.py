@@ -1,23 +1,23 @@
 """The status bar: what can be done here, and the numbers under the pointer."""
 
-from math import isfinite
-
-import numpy as np
 from PySide6.QtCore import QEvent, Qt, QTimer
 from PySide6.QtGui import QFontMetrics, QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QStatusBar, QWidget
 
-from plusedit.document.shape import ShapeId
-from plusedit.geometry.curve import PlusCurve
+from plusedit.document.shape import PlusGeometry, ShapeId
 from plusedit.interaction.tool import Feedback
-from plusedit.scene.camera import AXES, Projection
 from plusedit.views.desk import Desk
 from plusedit.views.look import tabular
+from plusedit.views.panes import Panes
+from plusedit.views.probe import reading
 
 PAUSE = 30  # milliseconds between searches for the nearest point
 SAID = 6_000  # milliseconds that a sentence stays
 USUAL = "F1: keys and mouse   ·   Ctrl+Shift+P: find any command"
 NAMES = "xyz"
+
+Coordinates = tuple[tuple[int, float], ...]
+"""What is known of a place: axis and value of each coordinate."""
 
 
 class Elided(QLabel):
@@ -52,16 +52,15 @@ class Elided(QLabel):
 class Status(QStatusBar):
     """Left the hint of the tool, or what was just said; right coordinates, u and curvature."""
 
-    def __init__(self, desk: Desk) -> None:
+    def __init__(self, desk: Desk, panes: Panes) -> None:
         super().__init__()
-        self._desk = desk
+        self._desk, self._panes = desk, panes
         self._hint, self._said = "", ""
-        self._at: tuple[float, float] | None = None
-        self._projection: Projection = "top"
+        self._at: Coordinates | None = None
         self.text = Elided()
         self.text.setAccessibleName("hint")
         self.place, self.bend = QLabel(), QLabel()
-        for label, widest in ((self.place, "x -0000.000  y -0000.000"), (self.bend, "0" * 24)):
+        for label, widest in ((self.place, "x -0000.000  y -0000.000"), (self.bend, "0" * 28)):
             label.setFont(tabular(label.font()))
             label.setMinimumWidth(label.fontMetrics().horizontalAdvance(widest))
             label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
@@ -79,9 +78,9 @@ class Status(QStatusBar):
         self._show_text()
         self._silence.start()
 
-    def point_at(self, x: float, y: float, projection: Projection) -> None:
-        """The pointer is there, in the plane of that projection."""
-        self._at, self._projection = (x, y), projection
+    def point_at(self, at: Coordinates) -> None:
+        """The pointer is there, in the view in use."""
+        self._at = at
         self._look_soon()
 
     def point_nowhere(self) -> None:
@@ -135,29 +134,13 @@ class Status(QStatusBar):
             self.place.setText("")
             self.bend.setText("")
             return
-        across, up = (NAMES[axis] for axis in AXES[self._projection])
-        x, y = self._at
-        self.place.setText(f"{across} {x:.3f}  {up} {y:.3f}")
-        found = self._nearest_curve()
-        self.bend.setText("" if found is None else bend_text(found, self._at, self._projection))
+        self.place.setText("  ".join(f"{NAMES[axis]} {value:.3f}" for axis, value in self._at))
+        found, view = self._probed(), self._panes.active
+        self.bend.setText("" if found is None else reading(found, view.camera, view.pointer.at))
 
-    def _nearest_curve(self) -> PlusCurve | None:
-        curves = self._desk.selected_curves()
+    def _probed(self) -> PlusGeometry | None:
+        """The shape that numbers are told of: the one with the active line, or the first chosen."""
+        shapes = self._desk.selected_shapes()
         active = self._desk.session.selection.active
-        key: ShapeId | None = active.shape if active is not None else next(iter(curves), None)
-        return None if key is None else curves.get(key)
-
-
-def bend_text(curve: PlusCurve, at: tuple[float, float], projection: Projection) -> str:
-    """Parameter and curvature of the point of `curve` nearest to a point of the view."""
-    from plusedit.geometry.frames import curvature, space_curvature
-    from plusedit.geometry.nearest import nearest_parameter
-
-    axes = AXES[projection]
-    if max(axes) >= curve.dimension:
-        return ""
-    u = nearest_parameter(curve, np.array(at), axes=axes)
-    _, velocity, acceleration = curve.derivatives([u])
-    bend = (curvature if curve.dimension == 2 else space_curvature)(velocity, acceleration)[0]
-    bend += 0.0  # a straight line has no "-0"
-    return f"u {u:.4f}   κ {bend:.4g}" if isfinite(bend) else f"u {u:.4f}   κ –"
+        key: ShapeId | None = active.shape if active is not None else next(iter(shapes), None)
+        return None if key is None else shapes.get(key)

@@ -15,10 +15,10 @@ from PySide6.QtWidgets import (
 )
 
 from plusedit.app.actions import ActionTable
-from plusedit.interaction.gesture import Gestures
 from plusedit.interaction.tool import NewCurves, tools
+from plusedit.views.family_form import family_titles
+from plusedit.views.hands import Hands
 from plusedit.views.live import quiet
-from plusedit.views.shape_form import family_titles
 
 ICON = QSize(24, 24)
 PEN = "pen"  # the tool that draws new curves
@@ -28,7 +28,7 @@ HIGHEST_ORDER = 20
 class NewCurveOptions(QWidget):
     """What kind of curve the pen draws; seen while the pen is chosen."""
 
-    def __init__(self, gestures: Gestures) -> None:
+    def __init__(self, gestures: Hands) -> None:
         super().__init__()
         self._gestures = gestures
         self.family = QComboBox()
@@ -81,7 +81,7 @@ def tools_in_order() -> list[str]:
     return sorted(tools, key=lambda name: (tools[name].order, name))
 
 
-def make_toolbar(table: ActionTable, gestures: Gestures) -> QToolBar:
+def make_toolbar(table: ActionTable, gestures: Hands) -> QToolBar:
     """The tool bar of the window."""
     bar = QToolBar("Tools")
     bar.setObjectName("tools")

@@ -1,4 +1,4 @@
-"""What is shown and how: switches, projection and theme, kept with designs and in settings."""
+"""What is shown and how: panes, switches, cameras and theme, kept with designs and in settings."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -9,32 +9,112 @@ from plusedit.app.settings import Settings
 from plusedit.document.design import Design
 from plusedit.document.shape import NOTHING
 from plusedit.events import Event
-from plusedit.scene.camera import PlaneCamera, Projection
-from plusedit.scene.options import Handles, ViewOptions, camera_of, options_of, view_tree
+from plusedit.scene.camera import AXES, PlaneCamera, Projection
+from plusedit.scene.options import (
+    Handles,
+    ShownPanes,
+    ViewOptions,
+    camera_of,
+    options_of,
+    panes_of,
+    space_camera_of,
+    view_tree,
+)
+from plusedit.scene.space_camera import STANDARD
 from plusedit.scene.theme import Theme
-from plusedit.views.canvas import PlaneCanvas
 from plusedit.views.desk import Desk
 from plusedit.views.look import apply_look, theme_for
+from plusedit.views.panes import Panes
+
+TITLES = {"2d": "2D view", "3d": "3D view", "both": "Both views"}
 
 
 class ViewState:
-    """The one place that changes what the canvas shows besides the design."""
+    """The one place that changes what the views show besides the design."""
 
-    def __init__(self, desk: Desk, canvas: PlaneCanvas, settings: Settings) -> None:
+    def __init__(self, desk: Desk, panes: Panes, settings: Settings) -> None:
         self.changed: Event[()] = Event()
-        self._desk, self._canvas, self._settings = desk, canvas, settings
-        canvas.camera_changed.connect(self._keep_step)
-        canvas.set_options(self._own())
+        self._desk, self._panes, self._settings = desk, panes, settings
+        self._is_chosen = False
+        """whether a person chose the panes for this design, or the design says which"""
+        panes.camera_changed.connect(self._keep_step)
+        panes.changed.listen(self.changed.emit)
+        panes.is_animated = settings.animated
+        panes.set_options(self._own())
+        desk.session.stepped.listen(self._suit)
+
+    # Panes and cameras
+
+    @property
+    def panes(self) -> ShownPanes:
+        """Which views are seen."""
+        return self._panes.shown
+
+    def show_panes(self, panes: ShownPanes) -> None:
+        """Show the 2D view, the 3D view or both, as a person asked for."""
+        self._desk.gestures.cancel()
+        self._is_chosen = True
+        self._panes.show_panes(panes)
+        self._panes.focus()
+
+    @property
+    def looks_from(self) -> str:
+        """The name of the view that the pane in use has; empty where it has none."""
+        camera = self._panes.active.camera
+        if isinstance(camera, PlaneCamera):
+            return camera.projection
+        now = (round(camera.yaw, 9), round(camera.pitch, 9))
+        names = (n for n, (yaw, pitch) in STANDARD.items() if now == (round(yaw, 9), pitch))
+        return next(names, "")
+
+    def look_from(self, name: str) -> None:
+        """Turn the view in use to that side."""
+        self._desk.gestures.cancel()
+        active = self._panes.active
+        if active is self._panes.plane:
+            if name not in AXES:
+                self._desk.say("The 2D view looks from the top, the front or the right.")
+                return
+            self.set_projection(name)
+            return
+        self._panes.space.look_from(name)  # type: ignore[union-attr]
+        self.changed.emit()
+
+    @property
+    def is_perspective(self) -> bool:
+        """Whether the 3D view shows far things smaller."""
+        camera = self._panes.space_camera
+        return camera is not None and camera.perspective
+
+    def toggle_perspective(self) -> None:
+        """Perspective or parallel projection in the 3D view."""
+        if self._panes.space is not None:
+            self._panes.space.toggle_perspective()
+            self.changed.emit()
+
+    @property
+    def projection(self) -> Projection:
+        """Along which axis the 2D view looks."""
+        return self._panes.plane.camera.projection
+
+    def set_projection(self, projection: Projection) -> None:
+        """Look along another axis in the 2D view."""
+        self._desk.gestures.cancel()
+        self._panes.plane.set_projection(projection)
+        self.changed.emit()
+
+    def set_animated(self, is_animated: bool) -> None:
+        """Whether cameras glide from one view to the next."""
+        self._settings.animated = self._panes.is_animated = is_animated
+        if self._panes.space is not None:
+            self._panes.space.is_animated = is_animated
+
+    # Switches
 
     @property
     def options(self) -> ViewOptions:
         """The switches as they are."""
-        return self._canvas.options
-
-    @property
-    def projection(self) -> Projection:
-        """Along which axis the view looks."""
-        return self._canvas.camera.projection
+        return self._panes.options
 
     def toggle_overlay(self, name: str) -> None:
         """Switch an overlay on or off."""
@@ -42,8 +122,12 @@ class ViewState:
         self._switch(lambda options: options.with_overlay(name, is_on))
 
     def toggle(self, name: str) -> None:
-        """Switch "grid", "rulers" or "snap" on or off."""
+        """Switch "grid", "rulers", "snap", "ground", ... on or off."""
         value = not getattr(self.options, name)
+        self._switch(lambda options: replace(options, **{name: value}))  # type: ignore[arg-type]
+
+    def set_option(self, name: str, value: object) -> None:
+        """Give one of the options a value."""
         self._switch(lambda options: replace(options, **{name: value}))  # type: ignore[arg-type]
 
     def set_handles(self, handles: Handles) -> None:
@@ -56,7 +140,7 @@ class ViewState:
         Not the one into the other: else the switches of a design that was only looked at would
         stay for all others.
         """
-        self._canvas.set_options(change(self.options))
+        self._panes.set_options(change(self.options))
         self._settings.view = view_tree(change(self._own()), old=NOTHING)
         self.changed.emit()
 
@@ -64,41 +148,62 @@ class ViewState:
         """The person's own switches."""
         return options_of(self._settings.view)  # type: ignore[arg-type]
 
-    def set_projection(self, projection: Projection) -> None:
-        """Look along another axis."""
-        self._desk.gestures.cancel()
-        self._canvas.set_projection(projection)
-        self.changed.emit()
-
     def set_look(self, look: str) -> None:
         """Give the whole program a look: "light", "dark" or "system"."""
         self._settings.look = look
         self._desk.set_theme(look_of_program(look))
-        self._canvas.set_theme(self._desk.theme)
+        self._panes.set_theme(self._desk.theme)
         self.changed.emit()
+
+    # Designs
 
     def kept_with(self, design: Design) -> Design:
         """The design with the view as it is now."""
-        tree = view_tree(self.options, self._canvas.camera, old=design.view)
+        tree = view_tree(
+            self.options,
+            self._panes.plane.camera,
+            old=design.view,
+            camera_3d=self._panes.space_camera,
+            panes=self._panes.shown if self._is_chosen else None,
+        )
         return replace(design, view=tree)
 
     def show_design(self, design: Design) -> None:
         """Set the view up as the design says; as the person likes it where it says nothing."""
-        self._canvas.set_options(options_of(design.view) if design.view else self._own())
-        camera = camera_of(design.view, self._canvas.camera.size)
-        if camera is not None:
-            self._canvas.set_camera(camera)
-        elif len(design):
-            self._canvas.set_projection("top")
-            self._canvas.frame_all()
-        else:
-            self._canvas.set_camera(PlaneCamera(self._canvas.camera.size))
+        self._panes.set_options(options_of(design.view) if design.view else self._own())
+        self._show_plane(design)
+        self._panes.set_space_camera(space_camera_of(design.view, (800.0, 600.0)))
+        said = panes_of(design.view)
+        self._is_chosen = said is not None
+        self._panes.show_panes(said or ("both" if is_spatial(design) else "2d"))
         self.changed.emit()
 
+    def _show_plane(self, design: Design) -> None:
+        plane = self._panes.plane
+        camera = camera_of(design.view, plane.camera.size)
+        if camera is not None:
+            plane.set_camera(camera)
+        elif len(design):
+            plane.set_projection("top")
+            plane.frame_all()
+        else:
+            plane.set_camera(PlaneCamera(plane.camera.size))
+
+    def _suit(self) -> None:
+        """Show the 3D view once there is something in space, unless a person chose otherwise."""
+        design = self._desk.session.committed
+        if not self._is_chosen and self._panes.shown == "2d" and is_spatial(design):
+            self._panes.show_panes("both")
+
     def _keep_step(self) -> None:
-        # The canvas offers the grid that is seen; a step of one's own comes before it.
+        # A view offers the grid that is seen; a step of one's own comes before it.
         if (step := self._settings.grid_step) is not None:
             self._desk.gestures.grid_step = step
+
+
+def is_spatial(design: Design) -> bool:
+    """Whether the design has anything that the plane does not hold."""
+    return any(geometry.dimension == 3 for _, geometry in design.drawn())
 
 
 def look_of_program(look: str) -> Theme:

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from PySide6.QtCore import QEvent, QObject, QPoint, QSize, Qt
+from PySide6.QtCore import QPoint, QSize, Qt
 from PySide6.QtGui import (
     QCloseEvent,
     QDragEnterEvent,
@@ -40,13 +40,12 @@ from plusedit.app.status import Status
 from plusedit.app.toolbar import make_toolbar
 from plusedit.app.view_state import ViewState, look_of_program
 from plusedit.document.session import Session
-from plusedit.interaction.gesture import Gestures
-from plusedit.scene.camera import PlaneCamera
 from plusedit.views.canvas import PlaneCanvas
 from plusedit.views.desk import Desk
 from plusedit.views.fields import Field
 from plusedit.views.icons import refresh_icons
 from plusedit.views.magnitude_bar import MagnitudeBar
+from plusedit.views.panes import Panes
 
 LONGEST = 48  # characters of what a menu says would be undone
 TYPED_INTO = (QLineEdit, QAbstractSpinBox, QTextEdit, QKeySequenceEdit)
@@ -63,18 +62,18 @@ class MainWindow(QMainWindow):
         # Before anything is made: what is made in one look and then gets another is made twice.
         look_of_program(settings.look)
         self.session = Session()
-        self.gestures = Gestures(self.session, PlaneCamera((800.0, 600.0)))
+        self.panes = Panes(self.session)
+        self.gestures = self.panes.hands
         self.gestures.new_curves = settings.new_curves
         self.desk = Desk(self.session, self.gestures)
-        self.canvas = PlaneCanvas(self.session, self.gestures)
-        self.view = ViewState(self.desk, self.canvas, settings)
+        self.view = ViewState(self.desk, self.panes, settings)
         self.files = Files(self.desk, settings, self, self.view)
         self.autosave = Autosave(self.session, lambda: self.files.path, autosave_folder)
         self.flows = Flows(self.desk, self.files, self.autosave, self)
         self.clipboard = Clipboard(self.desk)
         self.magnitude = MagnitudeBar(self.desk)
         self.side = SideWindows(self)
-        self.notes, self.status = NotesBar(), Status(self.desk)
+        self.notes, self.status = NotesBar(), Status(self.desk, self.panes)
         self.start_page = StartPage(self.files.open, self.flows.new, self.files.open)
         self.stack = QStackedWidget()
         self._lay_out()
@@ -83,13 +82,18 @@ class MainWindow(QMainWindow):
         self._listen()
         self._restore()
 
+    @property
+    def canvas(self) -> PlaneCanvas:
+        """The 2D view."""
+        return self.panes.plane
+
     # How it is put together
 
     def _lay_out(self) -> None:
         self.setMinimumSize(LEAST_SIZE)
         self.resize(USUAL_SIZE.boundedTo(self.screen().availableSize() - FRAME))
         self.setAcceptDrops(True)
-        self.stack.addWidget(self.canvas)
+        self.stack.addWidget(self.panes)
         self.stack.addWidget(self.start_page)
         middle = QWidget()
         column = QVBoxLayout(middle)
@@ -107,7 +111,7 @@ class MainWindow(QMainWindow):
         self.addToolBar(Qt.ToolBarArea.BottomToolBarArea, bottom)
 
     def _add_actions(self) -> None:
-        self.actions_table = ActionTable(self, self.canvas)
+        self.actions_table = ActionTable(self, self.panes)
         self.actions_table.add(all_entries(self))
         self.actions_table.add(
             Entry(
@@ -136,16 +140,14 @@ class MainWindow(QMainWindow):
         self.files.named.listen(self._named)
         self.files.shown.listen(self._shown)
         self.files.notes.listen(self.notes.tell)
-        self.flows.imported.listen(self.canvas.frame_selected)
+        self.flows.imported.listen(self.panes.frame_selected)
         self.view.changed.listen(self.actions_table.refresh)
         self.gestures.tool_changed.listen(lambda _: self.actions_table.refresh())
         self.desk.theme_changed.listen(lambda theme: self._show_theme())
-        self.canvas.pointer_moved.connect(
-            lambda x, y: self.status.point_at(x, y, self.canvas.camera.projection)
-        )
-        self.canvas.pointer_left.connect(self.status.point_nowhere)
-        self.canvas.context_menu_requested.connect(self._show_context_menu)
-        self.canvas.installEventFilter(self)
+        self.panes.pointer_moved.connect(self.status.point_at)
+        self.panes.pointer_left.connect(self.status.point_nowhere)
+        self.panes.context_menu_requested.connect(self._show_context_menu)
+        self.panes.entered.listen(self._take_keys)
         QGuiApplication.styleHints().colorSchemeChanged.connect(self._desktop_changed)
 
     def _restore(self) -> None:
@@ -174,14 +176,14 @@ class MainWindow(QMainWindow):
         """Take a tool in hand."""
         self.show_view()
         self.gestures.choose(name)
-        self.canvas.setFocus()
+        self.panes.focus()
 
     def show_view(self) -> None:
         """Show the view, with the panels around it."""
-        if self.stack.currentWidget() is not self.canvas:
-            self.stack.setCurrentWidget(self.canvas)
+        if self.stack.currentWidget() is not self.panes:
+            self.stack.setCurrentWidget(self.panes)
             self.docks.bring_back()
-        self.canvas.setFocus()
+        self.panes.focus()
 
     def show_start_page(self) -> None:
         """Show the start page in place of the view."""
@@ -193,9 +195,10 @@ class MainWindow(QMainWindow):
     def take_settings(self) -> None:
         """Do as the settings say now."""
         self.view.set_look(self.settings.look)
+        self.view.set_animated(self.settings.animated)
         self.gestures.new_curves = self.settings.new_curves
         self.tool_bar.kinds.show_kind(self.gestures.new_curves)  # type: ignore[attr-defined]
-        self.gestures.grid_step = self.settings.grid_step or self.canvas.grid_step
+        self.gestures.grid_step = self.settings.grid_step or self.panes.active.grid_step
         self.actions_table.set_shortcuts(self.settings.shortcuts)
 
     def toggle_full_screen(self) -> None:
@@ -242,23 +245,21 @@ class MainWindow(QMainWindow):
         self.actions_table.refresh()
         menu = menus.context_menu(self.actions_table, self)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        menu.popup(self.canvas.mapToGlobal(at))
+        menu.popup(at)
+
+    def _take_keys(self) -> None:
+        """Keys go where the pointer is, unless something is being typed elsewhere."""
+        focus = QApplication.focusWidget()
+        is_done = isinstance(focus, Field) and focus.is_done
+        is_typing = isinstance(focus, TYPED_INTO) and not is_done
+        if focus is not None and focus.window() is self and not is_typing:
+            self.panes.active.setFocus(Qt.FocusReason.MouseFocusReason)
 
     # What Qt tells
 
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if watched is self.canvas and event.type() == QEvent.Type.Enter:
-            # Keys go where the pointer is, unless something is being typed elsewhere.
-            focus = QApplication.focusWidget()
-            is_done = isinstance(focus, Field) and focus.is_done
-            is_typing = isinstance(focus, TYPED_INTO) and not is_done
-            if focus is not None and focus.window() is self and not is_typing:
-                self.canvas.setFocus(Qt.FocusReason.MouseFocusReason)
-        return super().eventFilter(watched, event)
-
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape:
-            self.show_view() if len(self.session.design) else self.canvas.setFocus()
+            self.show_view() if len(self.session.design) else self.panes.focus()
             return
         super().keyPressEvent(event)
 

@@ -174,6 +174,11 @@ class Gestures:
         """Whether a button is down or a drag under way."""
         return self._running is not None or self._pressed is not None
 
+    @property
+    def is_modal(self) -> bool:
+        """Whether a drag begun by a key is under way, which no button holds."""
+        return self._running is not None and self._running.modal
+
     def choose(self, name: str) -> None:
         """Take another tool; what is under way is given up. KeyError if there is none such."""
         tool = tools[name]()

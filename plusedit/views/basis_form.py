@@ -4,7 +4,7 @@ A new family needs nothing here: whole numbers, switches and rows of numbers are
 the types that the family declares; `metadata` may give another title or key.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import Field as Declared
 from dataclasses import fields
 from typing import Any, get_type_hints
@@ -13,9 +13,10 @@ from PySide6.QtWidgets import QCheckBox, QFormLayout, QWidget
 
 from plusedit.commands.base import Command
 from plusedit.commands.curves import ChangeOrder, SetBasisField, SetClosed
+from plusedit.commands.surfaces import ChangeOrderOf, SetBasisFieldOf, SetClosedOf
 from plusedit.document.shape import ShapeId
 from plusedit.geometry.bases import Basis
-from plusedit.geometry.curve import PlusCurve
+from plusedit.geometry.surface import Way
 from plusedit.views.arithmetic import calculated, written
 from plusedit.views.desk import Desk
 from plusedit.views.fields import MIXED, Field, NumberField
@@ -48,11 +49,11 @@ def declared(kind: type[Basis]) -> list[Declared[Any]]:
 
 
 class BasisForm(QWidget):
-    """The parameters of the basis that the selected curves have in common."""
+    """The parameters of the basis that the selected shapes have in common, one way or all."""
 
-    def __init__(self, desk: Desk) -> None:
+    def __init__(self, desk: Desk, way: Way | None = None) -> None:
         super().__init__()
-        self._desk = desk
+        self._desk, self._way = desk, way
         self._ids: tuple[ShapeId, ...] = ()
         self._kind: type[Basis] | None = None
         self._show: dict[str, Callable[[Sequence[object]], None]] = {}
@@ -61,10 +62,10 @@ class BasisForm(QWidget):
         self._form.setSpacing(4)
         self._form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
 
-    def show_curves(self, curves: dict[ShapeId, PlusCurve]) -> None:
-        """Show the fields of these curves if they are of one family, else nothing."""
-        self._ids = tuple(curves)
-        bases = [curve.basis for curve in curves.values()]
+    def show_bases(self, by_shape: Mapping[ShapeId, Basis]) -> None:
+        """Show the fields of these bases if they are of one family, else nothing."""
+        self._ids = tuple(by_shape)
+        bases = list(by_shape.values())
         kind = common(type(basis) for basis in bases)
         if kind is not self._kind:
             self._build(kind)
@@ -83,17 +84,30 @@ class BasisForm(QWidget):
         for field in declared(kind):
             key = str(field.metadata.get("key", field.name))
             make = {bool: self._switch, int: self._whole}.get(hints[field.name], self._row)
-            widget, show = make(field.name, key)
+            widget, show = make(
+                field.name, key if self._way is None else f"{key} along {self._way}"
+            )
             self._form.addRow(row_label(str(field.metadata.get("title", key.capitalize()))), widget)
             self._show[field.name] = show
 
     def _set(self, name: str, value: object) -> str:
-        command: Command = SetBasisField(self._ids, name, value)
+        make = self._of_curves if self._way is None else self._of_surfaces
+        return self._desk.commit(make(name, value))
+
+    def _of_curves(self, name: str, value: object) -> Command:
         if name == "order" and isinstance(value, int):
-            command = ChangeOrder(self._ids, value)
-        elif name == "closed":
-            command = SetClosed(self._ids, bool(value))
-        return self._desk.commit(command)
+            return ChangeOrder(self._ids, value)
+        if name == "closed":
+            return SetClosed(self._ids, bool(value))
+        return SetBasisField(self._ids, name, value)
+
+    def _of_surfaces(self, name: str, value: object) -> Command:
+        way: Way = self._way or "u"
+        if name == "order" and isinstance(value, int):
+            return ChangeOrderOf(self._ids, way, value)
+        if name == "closed":
+            return SetClosedOf(self._ids, way, bool(value))
+        return SetBasisFieldOf(self._ids, way, name, value)
 
     def _switch(self, name: str, key: str) -> tuple[QWidget, Callable[[Sequence[object]], None]]:
         box = QCheckBox()

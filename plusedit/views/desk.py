@@ -5,18 +5,18 @@ from collections.abc import Callable, Mapping
 from plusedit.document.design import EditError
 from plusedit.document.selection import Selection
 from plusedit.document.session import Edit, Session
-from plusedit.document.shape import ShapeId
+from plusedit.document.shape import PlusGeometry, ShapeId
 from plusedit.events import Event
 from plusedit.geometry.curve import PlusCurve
-from plusedit.interaction.gesture import Gestures
 from plusedit.scene.theme import LIGHT, Theme
+from plusedit.views.hands import Hands
 from plusedit.views.lengths import Lengths
 
 
 class Desk:
     """The session as panels see it. They hold no data: they show the design and send commands."""
 
-    def __init__(self, session: Session, gestures: Gestures) -> None:
+    def __init__(self, session: Session, gestures: Hands) -> None:
         self.session = session
         self.gestures = gestures
         self.said: Event[str] = Event()
@@ -52,6 +52,11 @@ class Desk:
         """The curves among the selected shapes, back to front."""
         chosen = self.session.selection.shapes
         return {i: curve for i, curve in self.session.design.curves() if i in chosen}
+
+    def selected_shapes(self) -> Mapping[ShapeId, PlusGeometry]:
+        """The curves and surfaces among the selected shapes, back to front."""
+        chosen = self.session.selection.shapes
+        return {i: geometry for i, geometry in self.session.design.drawn() if i in chosen}
 
     def _tried(self, act: Callable[[], None]) -> str:
         try:

@@ -1,41 +1,41 @@
 """L, the length of the control polygon, as it is remembered for the s slider.
 
-It is measured when a curve is first met, when it is drawn on, closed or opened, and when the
-slider is reset. In between it stays: if it followed every drag of a point, s / L would
-change though nobody touched s.
+It is measured when a shape is first met, when it gets more or fewer control points, is closed or
+opened, and when the slider is reset. In between it stays: if it followed every drag of a point,
+s / L would change though nobody touched s.
 """
 
 from collections.abc import Container
 
-from plusedit.document.shape import ShapeId
+from plusedit.document.shape import PlusGeometry, ShapeId
 from plusedit.geometry.curve import PlusCurve
-from plusedit.geometry.magnitude import polygon_length
+from plusedit.geometry.magnitude import best_s, polygon_length
 
 
 class Lengths:
-    """L of every curve of a design that was asked for."""
+    """L of every curve and surface of a design that was asked for."""
 
     def __init__(self) -> None:
-        self._known: dict[ShapeId, tuple[tuple[int, bool], float]] = {}
+        self._known: dict[ShapeId, tuple[tuple[object, ...], float]] = {}
 
-    def of(self, shape_id: ShapeId, curve: PlusCurve) -> float:
-        """L of a curve, as it was measured last."""
+    def of(self, shape_id: ShapeId, geometry: PlusGeometry) -> float:
+        """L of a shape, as it was measured last."""
         kind, length = self._known.get(shape_id, (None, 0.0))
-        return length if kind == _kind(curve) else self.measure(shape_id, curve)
+        return length if kind == _kind(geometry) else self.measure(shape_id, geometry)
 
-    def measure(self, shape_id: ShapeId, curve: PlusCurve) -> float:
-        """L of a curve as it is now, remembered from here on."""
-        length = polygon_length(curve)
-        self._known[shape_id] = (_kind(curve), length)
+    def measure(self, shape_id: ShapeId, geometry: PlusGeometry) -> float:
+        """L of a shape as it is now, remembered from here on."""
+        length = natural_length_of(geometry)
+        self._known[shape_id] = (_kind(geometry), length)
         return length
 
-    def ratio(self, shape_id: ShapeId, curve: PlusCurve) -> float:
-        """s / L of a curve; 0 where L is 0."""
-        length = self.of(shape_id, curve)
-        return curve.s / length if length else 0.0
+    def ratio(self, shape_id: ShapeId, geometry: PlusGeometry) -> float:
+        """s / L of a shape; 0 where L is 0."""
+        length = self.of(shape_id, geometry)
+        return geometry.s / length if length else 0.0
 
     def keep_only(self, shape_ids: Container[ShapeId]) -> None:
-        """Forget the curves that are not among these."""
+        """Forget the shapes that are not among these."""
         self._known = {i: known for i, known in self._known.items() if i in shape_ids}
 
     def forget(self) -> None:
@@ -43,6 +43,24 @@ class Lengths:
         self._known = {}
 
 
-def _kind(curve: PlusCurve) -> tuple[int, bool]:
-    """What L can't be compared across: how many control lines, and whether they close."""
-    return len(curve.lines), curve.closed
+def natural_length_of(geometry: PlusGeometry) -> float:
+    """The natural unit of s: of a surface the mean of its lengths by u and by v."""
+    if isinstance(geometry, PlusCurve):
+        return polygon_length(geometry)
+    from plusedit.geometry.surface_magnitude import natural_length
+
+    return natural_length(geometry)
+
+
+def best_s_of(geometry: PlusGeometry) -> float | None:
+    """s*, which brings the shape closest to its control points; None if s changes nothing."""
+    if isinstance(geometry, PlusCurve):
+        return best_s(geometry)
+    from plusedit.geometry.surface_magnitude import best_surface_s
+
+    return best_surface_s(geometry)
+
+
+def _kind(geometry: PlusGeometry) -> tuple[object, ...]:
+    """What L can't be compared across: how many control points, and whether they close."""
+    return geometry.net.points.shape, geometry.closed

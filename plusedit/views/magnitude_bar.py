@@ -1,4 +1,4 @@
-"""The bar of s, always in sight: how strongly the control lines of the chosen curves pull."""
+"""The bar of s, always in sight: how strongly the control lines and planes of shapes pull."""
 
 from collections.abc import Mapping
 
@@ -6,21 +6,21 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QHBoxLayout, QLabel
 
 from plusedit.commands.curves import SetMagnitude
-from plusedit.document.shape import ShapeId
+from plusedit.document.shape import PlusGeometry, ShapeId
 from plusedit.geometry.curve import PlusCurve
-from plusedit.geometry.magnitude import best_s
 from plusedit.views.desk import Desk
 from plusedit.views.fields import NumberField
+from plusedit.views.lengths import best_s_of
 from plusedit.views.live import LiveWidget, common
 from plusedit.views.magnitude_slider import STEP, MagnitudeSlider
 
 RESET = 0.5  # s / L that a double-click goes back to
-NAMED = 1  # curves that are called by name
+NAMED = 1  # shapes that are called by name
 ROOM = 112  # logical pixels for the name, so that the slider stands still when it changes
 
 
 class MagnitudeBar(LiveWidget):
-    """Slider and number fields for s of the selected curves, of all visible ones if none is."""
+    """Slider and number fields for s of the selected shapes, of all visible ones if none is."""
 
     def __init__(self, desk: Desk) -> None:
         super().__init__(desk)
@@ -53,13 +53,13 @@ class MagnitudeBar(LiveWidget):
             row.addWidget(label)
             row.addWidget(field)
 
-    def targets(self) -> Mapping[ShapeId, PlusCurve]:
-        """The curves that the bar acts on: editable ones, as they are on the screen."""
+    def targets(self) -> Mapping[ShapeId, PlusGeometry]:
+        """The shapes that the bar acts on: editable ones, as they are on the screen."""
         design = self.desk.session.design
         chosen = self.desk.session.selection.shapes
-        curves = {i: curve for i, curve in design.curves() if design[i].editable}
-        picked = {i: curve for i, curve in curves.items() if i in chosen}
-        return picked if chosen else curves
+        shapes = {i: geometry for i, geometry in design.drawn() if design[i].editable}
+        picked = {i: geometry for i, geometry in shapes.items() if i in chosen}
+        return picked if chosen else shapes
 
     def forget(self) -> None:
         """Another design was opened: its L are measured when they are needed."""
@@ -69,8 +69,8 @@ class MagnitudeBar(LiveWidget):
     def reset(self) -> None:
         """Measure L anew and put s back to half of it."""
         targets = self.targets()
-        for shape_id, curve in targets.items():
-            self.desk.lengths.measure(shape_id, curve)
+        for shape_id, geometry in targets.items():
+            self.desk.lengths.measure(shape_id, geometry)
         self.desk.commit(self._edit(RESET))
         self._soon()
 
@@ -82,34 +82,36 @@ class MagnitudeBar(LiveWidget):
         for widget in (self.slider, self.ratio_field, self.s_field):
             widget.setEnabled(bool(targets))
         self._what.setText(self._named(targets))
-        ratio = common(round(lengths.ratio(i, curve), 9) for i, curve in targets.items())
+        ratio = common(round(lengths.ratio(i, shape), 9) for i, shape in targets.items())
         self.slider.show_ratio(ratio, self._best(targets))
         empty = "mixed" if targets else ""
         self.ratio_field.show_value(ratio, mixed=empty)
-        self.s_field.show_value(common(c.s for c in targets.values()), mixed=empty)
+        self.s_field.show_value(common(shape.s for shape in targets.values()), mixed=empty)
         self.slider.update()
 
-    def _best(self, targets: Mapping[ShapeId, PlusCurve]) -> float | None:
-        """s* / L of a single curve; of several each has its own, and none is shown."""
+    def _best(self, targets: Mapping[ShapeId, PlusGeometry]) -> float | None:
+        """s* / L of a single shape; of several each has its own, and none is shown."""
         if len(targets) != 1:
             return None
-        (shape_id, curve) = next(iter(targets.items()))
-        best, length = best_s(curve), self.desk.lengths.of(shape_id, curve)
+        (shape_id, shape) = next(iter(targets.items()))
+        best, length = best_s_of(shape), self.desk.lengths.of(shape_id, shape)
         return best / length if best is not None and length else None
 
-    def _named(self, targets: Mapping[ShapeId, PlusCurve]) -> str:
+    def _named(self, targets: Mapping[ShapeId, PlusGeometry]) -> str:
         if not targets:
-            return "No curve"
+            return "No shape"
         if len(targets) == NAMED:
             name = self.desk.session.design[next(iter(targets))].name
             end = Qt.TextElideMode.ElideRight
             return self._what.fontMetrics().elidedText(name, end, ROOM)
+        is_of_curves = all(isinstance(shape, PlusCurve) for shape in targets.values())
+        noun = "curves" if is_of_curves else "shapes"
         if self.desk.session.selection.shapes:
-            return f"{len(targets)} curves"
-        return f"All {len(targets)} curves"
+            return f"{len(targets)} {noun}"
+        return f"All {len(targets)} {noun}"
 
     def _edit(self, ratio: float) -> SetMagnitude:
-        lengths = {i: self.desk.lengths.of(i, curve) for i, curve in self.targets().items()}
+        lengths = {i: self.desk.lengths.of(i, shape) for i, shape in self.targets().items()}
         return SetMagnitude({i: ratio * length for i, length in lengths.items() if length})
 
     def _preview(self, ratio: float) -> None:

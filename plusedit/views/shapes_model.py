@@ -10,6 +10,7 @@ from PySide6.QtCore import (
 
 from plusedit.commands.shapes import Rename, Reorder
 from plusedit.document.shape import NotDrawn, Shape, ShapeId
+from plusedit.geometry.surface import PlusSurface
 from plusedit.views.desk import Desk
 
 Index = QModelIndex | QPersistentModelIndex
@@ -123,14 +124,26 @@ class ShapesModel(QAbstractListModel):
 
 def look_of(shape: Shape) -> tuple[object, ...]:
     """All that a row shows of a shape."""
-    return shape.name, shape.visible, shape.locked, shape.style, shape.curve is None
+    return shape.name, shape.visible, shape.locked, shape.style, shape.plus is None
 
 
 def described(shape: Shape) -> str:
     """A shape in a few words, for its tooltip."""
     if isinstance(shape.geometry, NotDrawn):
         return f"{shape.geometry.kind} – not yet drawn"
+    if isinstance(shape.geometry, PlusSurface):
+        return f"{shape.name}: {of_planes(shape.geometry)}"
     curve = shape.geometry
     kind = "closed curve" if curve.closed else "curve"
     space = " in space" if curve.dimension == 3 else ""
     return f"{shape.name}: {kind}{space} of {len(curve.lines)} control lines"
+
+
+KINDS = {(False, False): "surface", (True, True): "torus"}
+"""What a surface that closes by u and by v is called; one that closes one way is a tube."""
+
+
+def of_planes(surface: PlusSurface) -> str:
+    """Such as "tube of 6 × 4 control planes"."""
+    rows, columns = surface.planes.shape
+    return f"{KINDS.get(surface.closed, 'tube')} of {rows} × {columns} control planes"

@@ -270,7 +270,7 @@ def test_an_example_opens_from_the_start_page(qtbot, window):
     card = next(c for c in window.start_page._cards if c.path == example("figure_2.json"))
     qtbot.mouseClick(card, Qt.MouseButton.LeftButton)
     assert window.files.name == "figure_2.json"
-    assert window.stack.currentWidget() is window.canvas
+    assert window.stack.currentWidget() is window.panes
 
 
 def test_work_that_takes_longer_leaves_the_window_alive(qtbot, window):

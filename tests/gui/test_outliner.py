@@ -98,7 +98,7 @@ def test_shapes_that_cant_be_drawn_are_listed_as_such(opened):
         outliner.model.data(outliner.model.index(row), Qt.ItemDataRole.ToolTipRole)
         for row in range(outliner.model.rowCount())
     ]
-    assert "surface – not yet drawn" in tips
+    assert "sail: tube of 2 × 3 control planes" in tips
     assert "mesh – not yet drawn" in tips
     assert not outliner.grab().isNull()
 

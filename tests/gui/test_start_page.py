@@ -39,7 +39,7 @@ def test_new_curve_puts_the_pen_on_an_empty_canvas(qtbot, window, page):
     button = next(b for b in page.findChildren(QPushButton) if b.text() == "New curve")
     qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
     assert window.gestures.tool_name == "pen"
-    assert window.stack.currentWidget() is window.canvas
+    assert window.stack.currentWidget() is window.panes
     assert window.docks.by_name["inspector"].isVisible()
     assert len(window.session.design) == 0
 
@@ -55,7 +55,7 @@ def test_recent_files_are_listed_while_they_exist(window, document, tmp_path):
 def test_escape_goes_back_to_a_design_that_is_open(qtbot, opened):
     opened.show_start_page()
     qtbot.keyClick(opened, Qt.Key.Key_Escape)
-    assert opened.stack.currentWidget() is opened.canvas
+    assert opened.stack.currentWidget() is opened.panes
 
 
 def test_the_s_of_the_figure_is_dragged(qtbot):

@@ -97,7 +97,7 @@ def test_undo_is_named_and_ends_what_is_under_way(filled):
     select_lines(filled, WING, 1)
     before = filled.session.design
     filled.gestures.begin("move", Pointer(100.0, 100.0))
-    filled.gestures.move(Pointer(140.0, 100.0))
+    filled.gestures.current.move(Pointer(140.0, 100.0))
     filled.actions_table["undo"].trigger()
     assert filled.session.design is before
     filled.actions_table["undo"].trigger()
@@ -211,7 +211,7 @@ def test_nonsense_in_the_settings_does_no_harm(settings, qtbot):
 
 def test_the_status_bar_tells_place_parameter_and_curvature(qtbot, filled):
     select_lines(filled, WING, 1)
-    filled.status.point_at(1.0, 1.5, "top")
+    filled.status.point_at(((0, 1.0), (1, 1.5)))
     filled.status._measure()
     assert filled.status.place.text() == "x 1.000  y 1.500"
     assert filled.status.bend.text().startswith("u 0.")

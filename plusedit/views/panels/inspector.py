@@ -9,12 +9,15 @@ from plusedit.views.live import LiveWidget, quiet, rule
 from plusedit.views.panels import panel
 from plusedit.views.shape_form import ShapeForm
 
-EMPTY = "Nothing is selected.\n\nClick a curve to see its numbers, or press P and draw one."
+EMPTY = (
+    "Nothing is selected.\n\n"
+    "Click a curve or a surface to see its numbers, or press P and draw a curve."
+)
 
 
 @panel("inspector", title="Inspector", area="right", order=1)
 class Inspector(LiveWidget):
-    """Shape and control lines of the selection; each edit is one undo step."""
+    """Shapes, control lines and planes of the selection; each edit is one undo step."""
 
     def __init__(self, desk: Desk) -> None:
         super().__init__(desk)
@@ -43,11 +46,11 @@ class Inspector(LiveWidget):
     def refresh(self) -> None:
         session = self.desk.session
         shapes = {i: s for i, s in session.design.shapes.items() if i in session.selection.shapes}
-        curves = self.desk.selected_curves()
+        chosen = self.desk.selected_shapes()
         self._empty.setVisible(not shapes)
         self._shape.setVisible(bool(shapes))
-        targets = {i: rows for i, rows in session.selection.by_shape().items() if i in curves}
+        targets = {i: rows for i, rows in session.selection.by_shape().items() if i in chosen}
         self._rule.setVisible(bool(targets))
         if shapes:
             self._shape.show_shapes(shapes)
-        self._lines.show_lines(targets, dict(curves), self.desk.gestures.grid_step)
+        self._lines.show_lines(targets, dict(chosen), self.desk.gestures.grid_step)

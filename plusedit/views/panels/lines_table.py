@@ -1,8 +1,5 @@
-"""The table of control lines: every number of the selected curves, or of all of them."""
+"""The table of control lines and planes: every number of the selected shapes, or of all."""
 
-from math import degrees, radians
-
-import numpy as np
 from PySide6.QtCore import (
     QAbstractTableModel,
     QItemSelection,
@@ -13,14 +10,12 @@ from PySide6.QtCore import (
 )
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QStackedLayout, QTableView
 
-from plusedit.commands.base import Command
-from plusedit.commands.directions import ResetDirections, SetAngle, SetDirection, SetLength
-from plusedit.commands.lines import SetCoordinate, SetWeight
 from plusedit.document.selection import LineId, Selection
-from plusedit.document.shape import Shape, ShapeId
-from plusedit.geometry.curve import PlusCurve
+from plusedit.document.shape import PlusGeometry, Shape, ShapeId
 from plusedit.views.arithmetic import calculated, written
 from plusedit.views.desk import Desk
+from plusedit.views.line_columns import Column, columns_for
+from plusedit.views.line_form import element_name
 from plusedit.views.live import LiveWidget, quiet
 from plusedit.views.look import tabular
 from plusedit.views.panels import panel
@@ -28,30 +23,22 @@ from plusedit.views.panels import panel
 Index = QModelIndex | QPersistentModelIndex
 Role = Qt.ItemDataRole
 
-HEADS = {
-    "line": ("Line", "Curve and number of the control line"),
-    "0": ("x", "Control point"),
-    "1": ("y", "Control point"),
-    "2": ("z", "Control point"),
-    "angle": ("Angle", "Direction in degrees, seen from the top"),
-    "length": ("Length", "Length of the direction"),
-    "auto": ("Auto", "Whether the direction follows the neighboring points"),
-    "weight": ("Weight", "Share of the control line in the curve"),
-}
-SIDES = {"line": Qt.AlignmentFlag.AlignLeft, "auto": Qt.AlignmentFlag.AlignHCenter}
 WIDEST = 104  # logical pixels of the column of names
-LISTED = 300  # control lines; a design with more lists those of the selected curves only
-EMPTY = "No control lines yet.\n\nEvery curve's control lines are listed here with their numbers."
+LISTED = 300  # control lines; a design with more lists those of the selected shapes only
+EMPTY = (
+    "No control lines yet.\n\n"
+    "The control lines of curves and the control planes of surfaces are listed here."
+)
 
 
 class LinesModel(QAbstractTableModel):
-    """Rows are control lines of some curves of the session; cells read the design as it is."""
+    """Rows are control lines and planes of the session; cells read the design as it is."""
 
     def __init__(self, desk: Desk) -> None:
         super().__init__()
         self._desk = desk
         self._rows: list[LineId] = []
-        self._columns: list[str] = []
+        self._columns: list[Column] = []
         self._shown: dict[ShapeId, Shape] = {}
 
     @property
@@ -60,15 +47,14 @@ class LinesModel(QAbstractTableModel):
         return self._rows
 
     def refresh(self) -> bool:
-        """Show the curves as they are now; whether rows, names or columns are others now."""
+        """Show the shapes as they are now; whether rows, names or columns are others now."""
         design = self._desk.session.design
-        curves = dict(design.curves())
-        if sum(len(curve.lines) for curve in curves.values()) > LISTED:
-            curves = dict(self._desk.selected_curves()) or curves
-        rows = [LineId(i, row) for i, curve in curves.items() for row in range(len(curve.lines))]
-        is_space = any(curve.dimension == 3 for curve in curves.values())
-        columns = [name for name in HEADS if name != "2" or is_space]
-        before, self._shown = self._shown, {i: design[i] for i in curves}
+        shapes = dict(design.drawn())
+        if sum(len(geometry.net) for geometry in shapes.values()) > LISTED:
+            shapes = dict(self._desk.selected_shapes()) or shapes
+        rows = [LineId(i, row) for i, shape in shapes.items() for row in range(len(shape.net))]
+        columns = columns_for(list(shapes.values()))
+        before, self._shown = self._shown, {i: design[i] for i in shapes}
         if rows == self._rows and columns == self._columns:
             changed = {i for i, shape in self._shown.items() if before.get(i) is not shape}
             self._tell_of(changed)
@@ -96,47 +82,52 @@ class LinesModel(QAbstractTableModel):
     ) -> object:
         if orientation == Qt.Orientation.Horizontal and section < len(self._columns):
             if role == Role.DisplayRole:
-                return HEADS[self._columns[section]][0]
+                return self._columns[section].head
             if role == Role.ToolTipRole:
-                return HEADS[self._columns[section]][1]
+                return self._columns[section].hint
             if role == Role.TextAlignmentRole:
-                side = SIDES.get(self._columns[section], Qt.AlignmentFlag.AlignRight)
-                return int(side | Qt.AlignmentFlag.AlignVCenter)
+                return int(aligned(self._columns[section]) | Qt.AlignmentFlag.AlignVCenter)
         return None
 
     def flags(self, index: Index) -> Qt.ItemFlag:
         flags = Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable
-        name = self._columns[index.column()]
-        if name == "auto":
+        column, (shape_id, _) = self._columns[index.column()], self._rows[index.row()]
+        shape = self._desk.session.design.shapes.get(shape_id)
+        if shape is None or shape.plus is None or not column.belongs_to(shape.plus):
+            return flags
+        if column.kind == "auto":
             return flags | Qt.ItemFlag.ItemIsUserCheckable
-        return flags if name == "line" else flags | Qt.ItemFlag.ItemIsEditable
+        return flags if column.kind == "line" else flags | Qt.ItemFlag.ItemIsEditable
 
     def data(self, index: Index, role: int = Role.DisplayRole) -> object:
         if not index.isValid() or index.row() >= len(self._rows):
             return None
-        name, (shape_id, row) = self._columns[index.column()], self._rows[index.row()]
+        column, (shape_id, row) = self._columns[index.column()], self._rows[index.row()]
         shape = self._desk.session.design.shapes.get(shape_id)
-        if shape is None or shape.curve is None or row >= len(shape.curve.lines):
+        geometry = None if shape is None else shape.plus
+        if shape is None or geometry is None or row >= len(geometry.net):
             return None  # a moment before `refresh` has caught up with the design
-        if role == Role.TextAlignmentRole and name != "line":
+        if role == Role.TextAlignmentRole and column.kind != "line":
             return int(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        if name == "auto":
-            automatic = bool(shape.curve.lines.automatic[row])
-            state = Qt.CheckState.Checked if automatic else Qt.CheckState.Unchecked
-            return state if role == Role.CheckStateRole else None
+        if column.kind == "auto":
+            if role != Role.CheckStateRole or not column.belongs_to(geometry):
+                return None
+            automatic = geometry.net.automatic_vectors[column.way, row]
+            return Qt.CheckState.Checked if automatic else Qt.CheckState.Unchecked
         if role not in (Role.DisplayRole, Role.EditRole):
             return None
-        if name == "line":
-            return f"{shape.name} {row + 1}"
-        value = number_of(shape.curve, name, row)
+        if column.kind == "line":
+            return f"{shape.name} {numbered(geometry, row)}"
+        value = column.number_of(geometry, row)
         if value is None:
             return ""
         return written(value, 12 if role == Role.EditRole else 4)
 
     def setData(self, index: Index, value: object, role: int = Role.EditRole) -> bool:
-        line, name = self._rows[index.row()], self._columns[index.column()]
+        line, column = self._rows[index.row()], self._columns[index.column()]
         if role == Role.CheckStateRole:
-            return not self._desk.commit(self._switched(line))
+            geometry = self._desk.session.design.plus(line.shape)
+            return not self._desk.commit(column.switched(line, geometry))
         if role != Role.EditRole or str(value) == str(self.data(index, Role.EditRole)):
             return False
         try:
@@ -144,41 +135,19 @@ class LinesModel(QAbstractTableModel):
         except ValueError as error:
             self._desk.say(str(error))
             return False
-        return not self._desk.commit(edit_of(line, name, number))
-
-    def _switched(self, line: LineId) -> Command:
-        curve = self._desk.session.design.curve(line.shape)
-        if curve.lines.automatic[line.number]:
-            return SetDirection(line.shape, line.number, curve.directions[line.number])
-        return ResetDirections({line.shape: (line.number,)})
+        return not self._desk.commit(column.edit(line, number))
 
 
-def number_of(curve: PlusCurve, name: str, row: int) -> float | None:
-    """What stands in the column `name` of control line `row`; None where there is nothing."""
-    lines, direction = curve.lines, curve.directions[row]
-    match name:
-        case "angle":
-            if not direction[:2].any():
-                return None
-            return round(degrees(float(np.arctan2(direction[1], direction[0]))), 10)
-        case "length":
-            return round(float(np.linalg.norm(direction)), 12)
-        case "weight":
-            return 1.0 if lines.weights is None else float(lines.weights[row])
-    return float(lines.points[row, int(name)]) if int(name) < curve.dimension else None
+def aligned(column: Column) -> Qt.AlignmentFlag:
+    """Where the head of a column stands."""
+    if column.kind == "line":
+        return Qt.AlignmentFlag.AlignLeft
+    return Qt.AlignmentFlag.AlignHCenter if column.kind == "auto" else Qt.AlignmentFlag.AlignRight
 
 
-def edit_of(line: LineId, name: str, value: float) -> Command:
-    """The command that puts `value` into the column `name` of a control line."""
-    targets: dict[ShapeId, tuple[int, ...]] = {line.shape: (line.number,)}
-    match name:
-        case "angle":
-            return SetAngle(targets, radians(value))
-        case "length":
-            return SetLength(targets, value)
-        case "weight":
-            return SetWeight(targets, value)
-    return SetCoordinate(targets, int(name), value)
+def numbered(geometry: PlusGeometry, row: int) -> str:
+    """Such as "3", or "2, 1" of a control plane; counted from 1."""
+    return element_name(geometry, row).partition(" ")[2]
 
 
 @panel("lines_table", title="Control lines", area="left", order=2)
