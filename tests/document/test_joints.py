@@ -4,6 +4,7 @@ from plusedit.document.joints import joined, whole_path
 from plusedit.document.selection import LineId
 from plusedit.document.shape import ShapeId
 from plusedit.io.svg_reading import read_svg
+from tests.geometry.surfaces import a_surface
 
 TRIANGLE = b"""<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9">
 <path id="t" stroke="black" d="M0 0 C1 0 2 1 3 3 C4 4 5 5 6 3 L0 0 Z"/>
@@ -41,6 +42,14 @@ def test_ends_that_were_torn_apart_or_locked_are_joined_no_longer():
     locked = design.with_shape(second, replace(design[second], locked=True))
     last = LineId(ShapeId("t-1"), 2)
     assert joined(locked, last) == {last}
+
+
+def test_control_planes_are_joined_to_nothing():
+    design = a_drawing()
+    first = ShapeId("t-1")
+    design = design.with_shape(first, design[first].with_plus(a_surface()))
+    assert joined(design, LineId(first, 0)) == {LineId(first, 0)}
+    assert joined(design, LineId(ShapeId("t-2"), 0)) == {LineId(ShapeId("t-2"), 0)}
 
 
 def test_a_path_is_all_its_segments():

@@ -1,5 +1,7 @@
 """Selections: lines, shapes, and what an edit acts on."""
 
+import numpy as np
+
 from plusedit.document.selection import NOTHING_SELECTED, LineId, Selection
 from plusedit.document.shape import Shape, ShapeId
 from tests.designs import BOW, WING, a_curve
@@ -74,3 +76,15 @@ def test_a_selection_is_cut_to_what_there_is(design):
 def test_a_selection_that_is_all_there_is_cut_to_itself(design):
     selection = Selection.of_lines([FIRST, OTHER])
     assert selection.cut_to(design) is selection
+
+
+def test_renumbered_lines_are_the_same_lines_under_other_numbers():
+    selection = Selection.of_lines([FIRST, SECOND, OTHER], SECOND)
+    after = selection.renumbered({WING: np.array([3, 1, 2])})
+    assert after == Selection.of_lines([LineId(WING, 1), OTHER], LineId(WING, 1))
+
+
+def test_of_lines_that_are_gone_none_is_active_under_the_number_of_another():
+    selection = Selection.of_lines([FIRST, SECOND], FIRST)
+    after = selection.renumbered({WING: np.array([1, 2])})
+    assert after.lines == {LineId(WING, 0)} and after.active is None
