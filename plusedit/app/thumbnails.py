@@ -10,7 +10,7 @@ from plusedit.document.design import Design
 from plusedit.io.formats import FormatError
 from plusedit.scene.options import options_of, view_tree
 from plusedit.scene.theme import Theme
-from plusedit.views.picture import image_of
+from plusedit.views.picture import image_of, sketch_of
 
 REDUCED = 2  # pictures are drawn for twice their size, so that lines and dots are finer
 
@@ -18,9 +18,8 @@ REDUCED = 2  # pictures are drawn for twice their size, so that lines and dots a
 def picture_of(design: Design, size: QSize, theme: Theme, pixel_ratio: float = 1.0) -> QPixmap:
     """A picture of a design on a transparent ground, `size` logical pixels large."""
     large = (size.width() * REDUCED, size.height() * REDUCED)
-    image = image_of(
-        without_words(design), large, theme, transparent=True, ratio=pixel_ratio / REDUCED
-    )
+    draw = sketch_of if design.is_spatial else image_of
+    image = draw(without_words(design), large, theme, transparent=True, ratio=pixel_ratio / REDUCED)
     image.setDevicePixelRatio(pixel_ratio)
     return QPixmap.fromImage(image)
 

@@ -175,7 +175,7 @@ class ViewState:
         self._panes.set_space_camera(space_camera_of(design.view, (800.0, 600.0)))
         said = panes_of(design.view)
         self._is_chosen = said is not None
-        self._panes.show_panes(said or ("both" if is_spatial(design) else "2d"))
+        self._panes.show_panes(said or ("both" if design.is_spatial else "2d"))
         self.changed.emit()
 
     def _show_plane(self, design: Design) -> None:
@@ -192,18 +192,13 @@ class ViewState:
     def _suit(self) -> None:
         """Show the 3D view once there is something in space, unless a person chose otherwise."""
         design = self._desk.session.committed
-        if not self._is_chosen and self._panes.shown == "2d" and is_spatial(design):
+        if not self._is_chosen and self._panes.shown == "2d" and design.is_spatial:
             self._panes.show_panes("both")
 
     def _keep_step(self) -> None:
         # A view offers the grid that is seen; a step of one's own comes before it.
         if (step := self._settings.grid_step) is not None:
             self._desk.gestures.grid_step = step
-
-
-def is_spatial(design: Design) -> bool:
-    """Whether the design has anything that the plane does not hold."""
-    return any(geometry.dimension == 3 for _, geometry in design.drawn())
 
 
 def look_of_program(look: str) -> Theme:

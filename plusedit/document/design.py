@@ -85,6 +85,11 @@ class Design:
             if shape.plus is not None:
                 yield shape_id, shape.plus
 
+    @property
+    def is_spatial(self) -> bool:
+        """Whether it has surfaces, or curves of space."""
+        return any(geometry.dimension == 3 for _, geometry in self.drawn())
+
     def with_shape(self, shape_id: ShapeId, shape: Shape) -> "Design":
         """The design with that shape in place of the one of that id, or in front of all."""
         return replace(self, shapes={**self.shapes, shape_id: shape})

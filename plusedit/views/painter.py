@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cached_property, lru_cache, singledispatch
+from itertools import groupby
 
 import numpy as np
 from PySide6.QtCore import QPointF, Qt
@@ -22,7 +23,7 @@ from plusedit.scene.clipping import (
     clipped_segments,
     reaches_beyond,
 )
-from plusedit.scene.items import Item, Label, Markers, Polygon, Polyline, Segments
+from plusedit.scene.items import Item, Label, Markers, Mesh, Patch, Polygon, Polyline, Segments
 from plusedit.scene.theme import Theme
 from plusedit.views.arrays import polygon_of
 
@@ -59,8 +60,18 @@ class ItemPainter:
     def paint(self, items: Iterable[Item]) -> None:
         """Draw the items, the first one farthest back."""
         self.painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        for item in items:
-            _draw(item, self)
+        for is_solid, group in groupby(items, lambda item: isinstance(item, Patch | Mesh)):
+            if is_solid:
+                self._solids([item for item in group if isinstance(item, Patch | Mesh)])
+                continue
+            for item in group:
+                _draw(item, self)
+
+    def _solids(self, items: list[Patch | Mesh]) -> None:
+        """Surfaces, together: one may lie in front of a part of another."""
+        from plusedit.views.shaded import draw_patches
+
+        draw_patches(items, self)
 
     def pen(self, role: str, width: float, dash: str = "solid") -> None:
         """Draw lines like that from now on."""
