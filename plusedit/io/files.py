@@ -8,9 +8,10 @@ import errno
 import os
 import secrets
 import stat
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from pathlib import Path
+from typing import BinaryIO, Protocol, TypeVar
 
 from plusedit.document.design import Design
 from plusedit.io.formats import Format, FormatError, Loaded, formats
@@ -35,6 +36,18 @@ CREATE = os.O_WRONLY | os.O_CREAT | os.O_EXCL | (OPEN & ~os.O_RDONLY)
 OPEN_AT_ONCE = OPEN | getattr(os, "O_NONBLOCK", 0)
 
 
+class HasSuffixes(Protocol):
+    """A kind of file that is told by the end of its name."""
+
+    @property
+    def suffixes(self) -> tuple[str, ...]:
+        """Such as (".svg",)."""
+        ...
+
+
+Suffixed = TypeVar("Suffixed", bound=HasSuffixes)
+
+
 def load(path: str | os.PathLike[str]) -> Loaded:
     """The design in a file, read as its suffix says. FormatError in one sentence."""
     place = Path(path)
@@ -55,8 +68,13 @@ def save(design: Design, path: str | os.PathLike[str]) -> None:
 
 def format_of(path: Path) -> Format:
     """The format whose suffix the name ends with. FormatError lists the suffixes there are."""
+    return by_suffix(path, formats)
+
+
+def by_suffix(path: Path, shelf: Mapping[str, Suffixed]) -> Suffixed:
+    """The entry of a shelf whose suffix the name ends with. FormatError lists the suffixes."""
     name = path.name.lower()
-    suffixes = {suffix: entry for entry in formats.values() for suffix in entry.suffixes}
+    suffixes = {suffix: entry for entry in shelf.values() for suffix in entry.suffixes}
     for suffix in sorted(suffixes, key=len, reverse=True):
         if name.endswith(suffix):
             return suffixes[suffix]
@@ -72,16 +90,25 @@ def read_file(path: str | os.PathLike[str]) -> bytes:
 
 
 def write_file(data: bytes, path: str | os.PathLike[str]) -> None:
-    """Put `data` into a file, all of it or nothing; permissions and links stay as they are.
+    """Put `data` into a file, all of it or nothing, as `replacing` does."""
+    with replacing(path) as file:
+        file.write(data)
 
-    FormatError in one sentence; then nothing is changed and nothing left behind.
+
+@contextmanager
+def replacing(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
+    """A stream that becomes the file once all is written; permissions and links stay as they are.
+
+    FormatError in one sentence, for what goes wrong inside too; then nothing is changed and
+    nothing left behind.
     """
     place = Path(path)
     with _told(place):
         target = _target(place)
         part = target.with_name(f".plusedit-{secrets.token_hex(8)}.part")
         try:
-            _write_part(data, part, like=target)
+            with _part(part, like=target) as file:
+                yield file
             part.replace(target)
         except BaseException:
             with suppress(OSError):
@@ -160,15 +187,16 @@ def _target(path: Path) -> Path:
     return target
 
 
-def _write_part(data: bytes, part: Path, *, like: Path) -> None:
-    """Write a new file and see it to the disk, with owner and permissions as `like` has them."""
+@contextmanager
+def _part(part: Path, *, like: Path) -> Iterator[BinaryIO]:
+    """A new file, seen to the disk at the end, with owner and permissions as `like` has them."""
     with os.fdopen(os.open(part, CREATE, 0o666), "wb") as file:
         with suppress(FileNotFoundError):
             before = like.stat()
             with suppress(OSError, AttributeError):
                 os.chown(part, before.st_uid, before.st_gid)
             part.chmod(stat.S_IMODE(before.st_mode))
-        file.write(data)
+        yield file
         file.flush()
         os.fsync(file.fileno())
 

@@ -1,0 +1,44 @@
+"""The shelf of exports: files of triangles and lines, for programs that know no plus shapes."""
+
+from collections.abc import Sequence
+from typing import Any, BinaryIO, Protocol
+
+from plusedit.io.surface_mesh import Strand, SurfaceMesh
+from plusedit.registry import Registry
+
+
+class Export(Protocol):
+    """One kind of file to export to."""
+
+    @property
+    def title(self) -> str:
+        """Such as "Wavefront OBJ"."""
+        ...
+
+    @property
+    def suffixes(self) -> tuple[str, ...]:
+        """Such as (".obj",); no other export has them."""
+        ...
+
+    @property
+    def has_curves(self) -> bool:
+        """Whether it can hold curves; if not, it is given none."""
+        ...
+
+    @property
+    def numbers(self) -> Any:
+        """The kind of number in which the file says points, such as numpy.float32."""
+        ...
+
+    def write(
+        self, stream: BinaryIO, meshes: Sequence[SurfaceMesh], strands: Sequence[Strand]
+    ) -> None:
+        """Write the file piece by piece; at least one mesh or strand is there.
+
+        FormatError if the file can't hold that much.
+        """
+        ...
+
+
+exports: Registry[Export] = Registry("plusedit.io.exports")
+register = exports.register

@@ -1,0 +1,60 @@
+"""PLY, the Stanford polygon format: binary, with normals and parameters for every point."""
+
+from collections.abc import Sequence
+from typing import BinaryIO
+
+import numpy as np
+
+from plusedit.io.exports import register
+from plusedit.io.formats import FormatError
+from plusedit.io.mesh_faces import Numbers
+from plusedit.io.surface_mesh import Strand, SurfaceMesh
+
+PROPERTIES = ("x", "y", "z", "nx", "ny", "nz", "s", "t")
+MOST = 2**31 - 1  # numbers of points are signed, of four bytes
+
+
+class StanfordPly:
+    """All surfaces as one mesh of quads and triangles, numbers least byte first."""
+
+    title = "Stanford PLY"
+    suffixes = (".ply",)
+    has_curves = False
+    numbers = np.float32
+
+    def write(
+        self, stream: BinaryIO, meshes: Sequence[SurfaceMesh], _strands: Sequence[Strand]
+    ) -> None:
+        """Write the file piece by piece. FormatError if there are too many points."""
+        points = sum(map(len, meshes))
+        if points > MOST:
+            raise FormatError(f"a PLY file holds up to {MOST} points, not {points}")
+        stream.write(_header(points, sum(sum(mesh.face_counts) for mesh in meshes)))
+        for mesh in meshes:
+            for rows in mesh.blocks():
+                parts = (mesh.points[rows], mesh.normals[rows], mesh.parameters(rows))
+                stream.write(np.concatenate(parts, axis=2, dtype="<f4").tobytes())
+        first = 0
+        for mesh in meshes:
+            for faces in mesh.faces():
+                for corners in (faces.quads, faces.triangles):
+                    stream.write(_lists(corners + first))
+            first += len(mesh)
+
+
+register("ply")(StanfordPly())
+
+
+def _header(points: int, faces: int) -> bytes:
+    lines = ["ply", "format binary_little_endian 1.0", "comment PlusEdit"]
+    lines += [f"element vertex {points}", *(f"property float {name}" for name in PROPERTIES)]
+    lines += [f"element face {faces}", "property list uchar int vertex_indices", "end_header"]
+    return "".join(f"{line}\n" for line in lines).encode()
+
+
+def _lists(corners: Numbers) -> bytes:
+    """Of every face how many corners it has, and their numbers."""
+    sides = corners.shape[1]
+    lists = np.empty(len(corners), dtype=[("count", "u1"), ("corners", "<i4", (sides,))])
+    lists["count"], lists["corners"] = sides, corners
+    return lists.tobytes()

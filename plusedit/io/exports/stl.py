@@ -1,0 +1,52 @@
+"""STL, the format of printers: binary triangles, each with the normal of its own plane."""
+
+from collections.abc import Sequence
+from typing import BinaryIO
+
+import numpy as np
+
+from plusedit.io.exports import register
+from plusedit.io.formats import FormatError
+from plusedit.io.mesh_faces import Numbers, Points
+from plusedit.io.surface_mesh import Strand, SurfaceMesh
+
+# A reader takes a file that begins with "solid" for text.
+TITLE = b"PlusEdit, binary STL".ljust(80)
+FACET = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attributes", "<u2")])
+MOST = 2**32 - 1  # the count has four bytes
+
+
+class BinaryStl:
+    """All triangles of all surfaces in one list."""
+
+    title = "STL"
+    suffixes = (".stl",)
+    has_curves = False
+    numbers = np.float32
+
+    def write(
+        self, stream: BinaryIO, meshes: Sequence[SurfaceMesh], _strands: Sequence[Strand]
+    ) -> None:
+        """Write the file piece by piece. FormatError if there are too many triangles."""
+        count = sum(mesh.triangle_count for mesh in meshes)
+        if count > MOST:
+            raise FormatError(f"an STL file holds up to {MOST} triangles, not {count}")
+        stream.write(TITLE)
+        stream.write(count.to_bytes(4, "little"))
+        for mesh in meshes:
+            points = mesh.points.reshape(-1, 3)
+            for faces in mesh.faces():
+                stream.write(_facets(points, faces.cut(points)))
+
+
+register("stl")(BinaryStl())
+
+
+def _facets(points: Points, triangles: Numbers) -> bytes:
+    facets = np.zeros(len(triangles), dtype=FACET)
+    facets["corners"] = points[triangles]
+    a, b, c = points[triangles.T].astype(np.float64)
+    across = np.cross(b - a, c - a)
+    length = np.linalg.norm(across, axis=1, keepdims=True)
+    facets["normal"] = np.divide(across, length, out=np.zeros_like(across), where=length > 0.0)
+    return facets.tobytes()
