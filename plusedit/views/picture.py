@@ -8,6 +8,7 @@ from PySide6.QtCore import QBuffer, QIODevice
 from PySide6.QtGui import QGuiApplication, QImage
 
 from plusedit.document.design import Design
+from plusedit.machine import is_linux
 from plusedit.scene.composition import SIZE, composed
 from plusedit.scene.options import options_of, view_tree
 from plusedit.scene.space_composition import composed_in_space
@@ -78,19 +79,30 @@ def png_of(
     """The bytes of a PNG file; needs neither a display nor a running application."""
     application = running_application()
     image = image_of(design, size, theme, transparent=transparent)
+    data = png_bytes(image)
+    # Fonts and pixels belong to the application: it has to live until here.
+    del application
+    return data
+
+
+def png_bytes(image: QImage) -> bytes:
+    """The bytes of a PNG file of an image."""
     buffer = QBuffer()
     buffer.open(QIODevice.OpenModeFlag.WriteOnly)
     if not image.save(buffer, "PNG"):  # type: ignore[call-overload]
         raise OSError("the picture could not be made into a PNG file")
-    # Fonts and pixels belong to the application: it has to live until here.
-    del application
     return bytes(buffer.data().data())
 
 
-def running_application() -> QGuiApplication:
-    """The application, or a new one that shows no windows and needs no display."""
+def running_application(*, in_space: bool = False) -> QGuiApplication:
+    """The application, or a new one that shows no windows and needs no display.
+
+    What draws `in_space` has OpenGL without a display on Linux alone: elsewhere the new one is of
+    the desktop.
+    """
     running = QGuiApplication.instance()
     if isinstance(running, QGuiApplication):
         return running
-    os.environ["QT_QPA_PLATFORM"] = "offscreen"
+    if is_linux() or not in_space:
+        os.environ["QT_QPA_PLATFORM"] = "offscreen"
     return QGuiApplication(sys.argv[:1])

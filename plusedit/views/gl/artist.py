@@ -152,15 +152,14 @@ class SpaceArtist:
     def release(self) -> None:
         """Free everything on the card; nothing can be drawn afterwards."""
         groups = [self._flats, self._veils, *self._handles, *self._tripod]
-        for held in (
-            *groups,
-            self._faint,
-            self._ground,
-            self._patches,
-            self._meshes,
-            *self._programs.values(),
-        ):
-            held.release()
+        for group in groups:
+            group.release()
+        for lines in (self._faint, self._ground):
+            lines.release()
+        self._patches.release()
+        self._meshes.release()
+        for program in self._programs.values():
+            program.release()
         self._handles = []
 
     # What is sent to the card
@@ -177,7 +176,6 @@ class SpaceArtist:
         self._patches.show(item for item in solids if isinstance(item, Patch))
         self._meshes.show(item for item in solids if isinstance(item, Mesh))
         veils = [item for item in flats if isinstance(item, Polygon) and _is_veil(item, theme)]
-        through = set(veils)
         self._faint.show([item for item in flats if _is_faint_line(item, theme)], theme, camera)
         through: set[Item] = {*veils, *self._faint.items}
         opaque = [item for item in flats if item not in through]

@@ -1,23 +1,15 @@
-"""Contexts of OpenGL made by Qt."""
+"""Contexts of OpenGL: the one that Qt has made current, and one for pictures."""
 
-from PySide6.QtGui import QOpenGLContext, QSurfaceFormat
+from collections.abc import Iterator
+from contextlib import contextmanager
 
+from PySide6.QtGui import QGuiApplication, QOffscreenSurface, QOpenGLContext
+
+from plusedit.views.gl.egl import context_without_display
 from plusedit.views.gl.functions import Functions, OpenGLError
+from plusedit.views.opengl import VERSION, surface_format
 
-NEEDED = (3, 3)
-DEPTH, STENCIL = 24, 8  # bits
-
-
-def wanted_format(samples: int = 0) -> QSurfaceFormat:
-    """What to ask for: OpenGL 3.3 core, which is the oldest that does and the newest of macOS's."""
-    wanted = QSurfaceFormat()
-    wanted.setRenderableType(QSurfaceFormat.RenderableType.OpenGL)
-    wanted.setVersion(*NEEDED)
-    wanted.setProfile(QSurfaceFormat.OpenGLContextProfile.CoreProfile)
-    wanted.setDepthBufferSize(DEPTH)
-    wanted.setStencilBufferSize(STENCIL)
-    wanted.setSamples(samples)
-    return wanted
+SCREENLESS = ("offscreen", "minimal", "vnc", "linuxfb")  # Qt's platforms without OpenGL
 
 
 def current_functions() -> Functions:
@@ -26,8 +18,45 @@ def current_functions() -> Functions:
     if context is None:
         raise OpenGLError("no context of OpenGL is current")
     version = context.format().version()
-    if context.isOpenGLES() or tuple(version) < NEEDED:
+    if context.isOpenGLES() or tuple(version) < VERSION:
         major, minor = version
         kind = "OpenGL ES" if context.isOpenGLES() else "OpenGL"
         raise OpenGLError(f"OpenGL 3.3 is needed, there is {kind} {major}.{minor}")
     return Functions(lambda name: int(context.getProcAddress(name) or 0))
+
+
+@contextmanager
+def context_for_pictures() -> Iterator[Functions]:
+    """OpenGL to draw pictures with, current for as long as the block lasts; then what was before.
+
+    Beside windows it is one of their platform; without an application, or where its platform
+    shows nothing, one that needs no display. OpenGLError where there is none.
+    """
+    running = QGuiApplication.instance() is not None
+    if running and QGuiApplication.platformName() not in SCREENLESS:
+        with _beside_windows() as gl:
+            yield gl
+    else:
+        with context_without_display() as gl:
+            yield gl
+
+
+@contextmanager
+def _beside_windows() -> Iterator[Functions]:
+    """A context of the application's platform, without a window."""
+    before = QOpenGLContext.currentContext()
+    drawn_on = None if before is None else before.surface()
+    context, surface = QOpenGLContext(), QOffscreenSurface()
+    context.setFormat(surface_format())
+    if not context.create():
+        raise OpenGLError("OpenGL is missing here")
+    surface.setFormat(context.format())
+    surface.create()
+    if not context.makeCurrent(surface):
+        raise OpenGLError("OpenGL was found, but nothing can be drawn with it")
+    try:
+        yield current_functions()
+    finally:
+        context.doneCurrent()
+        if before is not None and drawn_on is not None:
+            before.makeCurrent(drawn_on)

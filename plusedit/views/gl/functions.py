@@ -114,8 +114,6 @@ FRAMEBUFFER_COMPLETE, FRAMEBUFFER_BINDING = 0x8CD5, 0x8CA6
 NEAREST, LINEAR, PACK_ALIGNMENT = 0x2600, 0x2601, 0xD05
 MAX_SAMPLES, MAX_RENDERBUFFER_SIZE = 0x8D57, 0x84E8
 
-SOFTWARE = ("llvmpipe", "softpipe", "swrast", "swiftshader", "gdi generic", "basic render")
-
 
 class OpenGLError(RuntimeError):
     """OpenGL is missing, too old, or refused something; says what in a sentence."""
@@ -156,12 +154,6 @@ class Functions:
     def text(self, what: int) -> str:
         """VENDOR, RENDERER or VERSION in words."""
         return (self.GetString(what) or b"").decode("utf-8", "replace")
-
-    @property
-    def is_software(self) -> bool:
-        """Whether the processor draws, not a graphics card."""
-        renderer = self.text(RENDERER).lower()
-        return any(name in renderer for name in SOFTWARE)
 
     def errors(self) -> list[int]:
         """What went wrong since the last call; empty if nothing did."""

@@ -74,7 +74,6 @@ class Meshes:
         program.set("front", *shade_of(theme, mesh.front))
         program.set("back", *shade_of(theme, mesh.back))
         program.set("wire", *NOTHING)
-        program.set("parts", 0.0, 0.0)
         program.set_number("style", style)
         held.draw()
 

@@ -34,7 +34,7 @@ from plusedit.views.gl.triangles import grid_triangles
 TERMS = ("base", "plus", "base_u", "plus_u", "base_v", "plus_v")
 FAR_OFF = 8.0  # sizes of a surface from the origin, beyond which its own middle becomes one
 POINTLIKE = 1e-6  # of the size of a surface: shorter tangents have no direction
-KEPT = 24  # lattices of grids that are no longer drawn
+KEPT = 8  # lattices that no surface is drawn with
 
 Key = tuple[ControlPlanes, Basis, Basis, Grid, Grid]
 Single = NDArray[np.float32]
@@ -98,23 +98,20 @@ def terms_of(key: Key, origin: Floats) -> tuple[Single, ...]:
 
 
 @lru_cache(maxsize=8)
-def _wheres(grid_u: Grid, grid_v: Grid) -> Single:
-    """(m_u, m_v, 4) u, v and the numbers of the samples."""
-    u, v = grid_u.parameters, grid_v.parameters
-    where = np.empty((len(u), len(v), 4), np.float32)
-    where[..., 0], where[..., 1] = u[:, None], v
-    where[..., 2], where[..., 3] = np.arange(len(u))[:, None], np.arange(len(v))
-    return where
+def _wheres(rows: int, columns: int) -> Single:
+    """(rows, columns, 2) the numbers of the samples, by u and by v."""
+    numbers = np.indices((rows, columns), np.float32)
+    return np.ascontiguousarray(numbers.transpose(1, 2, 0))
 
 
 class Lattice:
-    """What surfaces sampled on the same grids share: parameters and triangles."""
+    """What surfaces with as many samples share: how these are numbered and joined."""
 
-    def __init__(self, gl: Functions, grid_u: Grid, grid_v: Grid) -> None:
-        triangles = grid_triangles(len(grid_u), len(grid_v))
+    def __init__(self, gl: Functions, rows: int, columns: int) -> None:
+        triangles = grid_triangles(rows, columns)
         self.count = triangles.size
         self.where = Buffer(gl)
-        self.where.put(_wheres(grid_u, grid_v))
+        self.where.put(_wheres(rows, columns))
         self.triangles = Buffer(gl, ELEMENT_ARRAY_BUFFER)
         # The buffer of triangles belongs to the vertex array that is bound: let it be none.
         gl.BindVertexArray(0)
@@ -147,7 +144,7 @@ class PatchBuffers:
                 buffer.put(term)
         self._sent, self.origin = terms, origin
         if lattice is not self._lattice:
-            self._vertices.read(lattice.where, 16, Attribute(len(TERMS), 4))
+            self._vertices.read(lattice.where, 8, Attribute(len(TERMS), 2))
             lattice.triangles.bind()
             self._lattice = lattice
 
@@ -169,7 +166,7 @@ class Patches:
     def __init__(self, gl: Functions, program: Program) -> None:
         self._gl, self._program = gl, program
         self._held: dict[Key, PatchBuffers] = {}
-        self._lattices: dict[tuple[Grid, Grid], Lattice] = {}
+        self._lattices: dict[tuple[int, int], Lattice] = {}
 
     def show(self, patches: Iterable[Patch]) -> None:
         """Send to the card what it does not have yet, into buffers that are no longer needed."""
@@ -197,7 +194,6 @@ class Patches:
         program.set("front", *shade_of(theme, patch.front))
         program.set("back", *shade_of(theme, patch.back))
         program.set("wire", *(NOTHING if patch.wire is None else shade_of(theme, patch.wire)))
-        program.set("parts", 0.0, 0.0)
         program.set_number("style", style)
         buffers.draw()
 
@@ -210,17 +206,17 @@ class Patches:
         self._held, self._lattices = {}, {}
 
     def _lattice(self, patch: Patch) -> Lattice:
-        grids = patch.grid_u, patch.grid_v
-        lattice = self._lattices.pop(grids, None)
+        size = len(patch.grid_u), len(patch.grid_v)
+        lattice = self._lattices.pop(size, None)
         if lattice is None:
-            lattice = Lattice(self._gl, *grids)
-        self._lattices[grids] = lattice
+            lattice = Lattice(self._gl, *size)
+        self._lattices[size] = lattice
         return lattice
 
     def _forget_lattices(self) -> None:
-        used = {key[3:] for key in self._held}
-        for grids in list(self._lattices):
+        used = {(len(grid_u), len(grid_v)) for *_, grid_u, grid_v in self._held}
+        for size in list(self._lattices):
             if len(self._lattices) <= KEPT + len(used):
                 break
-            if grids not in used:
-                self._lattices.pop(grids).release()
+            if size not in used:
+                self._lattices.pop(size).release()

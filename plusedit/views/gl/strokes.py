@@ -1,7 +1,8 @@
 """Lines as records for the card: of items that stay, from one frame to the next.
 
-A line is a row of records, one for each point, and a gap after it. Segment k lies between records
-k and k + 1 and knows its neighbors, so one draw shows any number of lines.
+A line is a row of records, one for each point, between two gaps. Segment k lies between records
+k and k + 1 and knows its neighbors, so one draw shows any number of lines. The gaps about a closed
+line say where it goes on.
 """
 
 from collections.abc import Iterable, Sequence
@@ -20,7 +21,7 @@ from plusedit.views.gl.colors import word_of
 RECORD: Final = np.dtype(
     [("at", "<f4", 3), ("kind", "<f4"), ("color", "<u4"), ("width", "<f4"), ("before", "<f4")]
 )
-GAP = -1.0
+GAP, GOES_ON = -1.0, -2.0
 KINDS = {"solid": 0.0, "dash": 1.0, "dot": 2.0}
 
 Records = NDArray[Any]
@@ -82,7 +83,7 @@ def records_of(
 
 
 def _count(stroke: Stroke) -> int:
-    return len(stroke.points) // 2 * 3 if stroke.is_apart else len(stroke.points) + 1
+    return len(stroke.points) // 2 * 3 if stroke.is_apart else len(stroke.points) + 2
 
 
 def _fill(
@@ -97,8 +98,11 @@ def _fill(
         triples["at"][:, :2] = points.reshape(-1, 2, 3)
         triples["kind"][:, :2] = kind
         return
-    records["at"][:-1] = points
-    records["kind"][:-1] = kind
+    records["at"][1:-1] = points
+    records["kind"][1:-1] = kind
+    if len(points) > 3 and (points[0] == points[-1]).all():
+        records["at"][[0, -1]] = points[[-2, 1]]
+        records["kind"][[0, -1]] = GOES_ON
     if kind:
         steps = np.diff(camera.to_screen(stroke.points), axis=0)
-        records["before"][1:-1] = np.cumsum(np.hypot(steps[:, 0], steps[:, 1]))
+        records["before"][2:-1] = np.cumsum(np.hypot(steps[:, 0], steps[:, 1]))

@@ -13,8 +13,13 @@ out vec4 color;
 
 void main() {
     float reach = measure.x, radius = measure.y;
-    if (dot(place, cuts.xy) < 0.0 || dot(place - vec2(reach, 0.0), cuts.zw) >= 0.0 && cuts.zw != vec2(0.0))
-        discard;
+    // A pixel where two segments meet belongs to one of them: what lies beyond the line that halves
+    // the corner is the neighbor's. Inside of corners only lines that let through are so strict, as
+    // in bends tighter than they are wide it leaves holes.
+    bool strict_too = ink.a * opacity < 1.0;
+    bool before = dot(place, cuts.xy) < 0.0 && (place.x < 0.0 || strict_too);
+    bool after = dot(place - vec2(reach, 0.0), cuts.zw) > 0.0 && (place.x > reach || strict_too);
+    if (before || after) discard;
     float beyond = place.x - clamp(place.x, 0.0, reach);
     float off = length(vec2(beyond, place.y));
     // What is thinner than a pixel covers it in part.

@@ -1,7 +1,7 @@
 // One segment of a line for each instance: a box on the screen around its two ends.
 
 layout(location = 0) in vec4 before;  // places in the world; w: 0 solid, 1 dashed, 2 dotted,
-layout(location = 1) in vec4 start;   // -1 for a gap between lines
+layout(location = 1) in vec4 start;   // -1 for a gap between lines, -2 for where a closed one goes on
 layout(location = 2) in vec4 end;
 layout(location = 3) in vec4 after;
 layout(location = 4) in vec4 color;
@@ -60,13 +60,10 @@ void main() {
     shade = faded(is_end ? end.xyz : start.xyz);
     ink = color;
     measure = vec4(reach, radius, form.y * ratio, start.w);
-    if (color.a < 1.0) {
-        // Of lines that let through, each pixel belongs to one segment.
-        vec4 p = world_to_clip * vec4(before.xyz, 1.0), q = world_to_clip * vec4(after.xyz, 1.0);
-        vec2 step_in = from - pixel_of(p), step_out = pixel_of(q) - to;
-        if (before.w >= 0.0 && p.w > 0.0 && length(step_in) > 1e-4)
-            cuts.xy = halving(normalize(step_in), along);
-        if (after.w >= 0.0 && q.w > 0.0 && length(step_out) > 1e-4)
-            cuts.zw = halving(normalize(step_out), along);
-    }
+    vec4 p = world_to_clip * vec4(before.xyz, 1.0), q = world_to_clip * vec4(after.xyz, 1.0);
+    vec2 step_in = from - pixel_of(p), step_out = pixel_of(q) - to;
+    if (before.w != -1.0 && p.w > 0.0 && length(step_in) > 1e-4)
+        cuts.xy = halving(normalize(step_in), along);
+    if (after.w != -1.0 && q.w > 0.0 && length(step_out) > 1e-4)
+        cuts.zw = halving(normalize(step_out), along);
 }

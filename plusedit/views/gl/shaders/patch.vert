@@ -6,7 +6,7 @@ layout(location = 2) in vec3 base_u;
 layout(location = 3) in vec3 plus_u;
 layout(location = 4) in vec3 base_v;
 layout(location = 5) in vec3 plus_v;
-layout(location = 6) in vec4 where; // u and v, and the same counted in samples
+layout(location = 6) in vec2 where; // which sample, by u and by v
 
 uniform float s;
 uniform float least; // length of a tangent below which it has no direction
@@ -17,7 +17,7 @@ uniform vec4 crop;
 
 out vec3 sight;  // from the eye to the point, in the axes of the view
 out vec3 normal; // likewise; zero where the surface has none
-out vec4 cell;
+out vec2 cell;
 
 vec3 way(vec3 tangent) {
     float reach = max(abs(tangent.x), max(abs(tangent.y), abs(tangent.z)));

@@ -3,14 +3,11 @@
 
 in vec3 sight;
 in vec3 normal;
-in vec4 cell;
+in vec2 cell;
 
 uniform vec4 front;
 uniform vec4 back;
 uniform vec4 wire;         // color of lines between samples; alpha 0 for none
-uniform vec4 line_u;       // color of lines of constant u, and of constant v
-uniform vec4 line_v;
-uniform vec2 parts;        // parts of the domain between those lines; 0 for none
 uniform vec3 up;           // of the world, in the axes of the view
 uniform float parallel;    // 1 in parallel projection, else 0
 uniform float ratio;
@@ -78,14 +75,8 @@ void main() {
     vec3 lit = seen_as(clamp(style == 1 ? matcap(albedo, n, v) : studio(albedo, n, v), 0.012, 0.93));
     float alpha = side.a;
     if (alpha < 1.0) alpha = mix(alpha, 1.0, 0.45 * pow(1.0 - abs(dot(n, v)), 2.0));
-    if (parts.x > 0.0 || parts.y > 0.0) {
-        vec2 on = lines(cell.xy * parts, ratio) * vec2(parts.x > 0.0, parts.y > 0.0);
-        lit = mix(lit, line_u.rgb, on.x * line_u.a);
-        lit = mix(lit, line_v.rgb, on.y * line_v.a);
-        alpha = max(alpha, max(on.x * line_u.a, on.y * line_v.a));
-    }
     if (wire.a > 0.0) {
-        vec2 on = lines(cell.zw, ratio);
+        vec2 on = lines(cell, ratio);
         float line = max(on.x, on.y) * wire.a;
         lit = mix(lit, wire.rgb, line);
         alpha = max(alpha, line);
