@@ -37,6 +37,7 @@ def edit_actions() -> list[EditAction]:
         curve_actions,
         line_actions,
         magnitude_actions,
+        making_actions,
         net_selecting,
         selecting,
         surface_actions,
@@ -48,6 +49,7 @@ def edit_actions() -> list[EditAction]:
         line_actions,
         magnitude_actions,
         curve_actions,
+        making_actions,
         surface_actions,
         arranging,
     )

@@ -54,7 +54,7 @@ def test_an_action_has_a_title_and_stands_in_a_menu(name):
 
 @every_action
 def test_with_nothing_to_act_on_an_action_says_so_in_a_sentence(name):
-    if name in {"select_all", "select_none", "invert"}:
+    if name in {"select_all", "select_none", "invert"} or ACTIONS[name].menu == "Surface/New":
         return
     hand = does(Hand(Design()), name)
     (error,) = hand.errors

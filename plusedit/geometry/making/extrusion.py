@@ -10,6 +10,8 @@ from plusedit.geometry.making.compatible import in_space
 from plusedit.geometry.planes import ControlPlanes
 from plusedit.geometry.surface import PlusSurface
 
+STRAIGHT = 1e-9  # of their length: points that are nowhere farther from a line lie on it
+
 
 def extruded(curve: PlusCurve, by: ArrayLike, *, count: int = 2) -> PlusSurface:
     """The surface that the curve sweeps when it is moved by the vector (3,), exactly.
@@ -34,3 +36,15 @@ def extruded(curve: PlusCurve, by: ArrayLike, *, count: int = 2) -> PlusSurface:
 def columns(weights: Floats | None, count: int) -> Floats | None:
     """(n, count) the same weights (n,) in every column; None stays None."""
     return None if weights is None else np.repeat(weights[:, None], count, axis=1)
+
+
+def normal_of(points: Floats) -> Floats:
+    """(3,) the unit normal of the plane nearest to points (m, 3), its largest coordinate positive.
+
+    Of points on a straight line, or in one place: z, or x where the line runs along z.
+    """
+    _, extents, axes = np.linalg.svd(points - points.mean(axis=0), full_matrices=False)
+    normal: Floats = axes[2]
+    if extents[1] <= STRAIGHT * extents[0]:
+        normal = np.array([0.0, 0.0, 1.0]) if abs(axes[0, 2]) < 0.9 else np.array([1.0, 0.0, 0.0])
+    return normal if normal[np.abs(normal).argmax()] > 0.0 else -normal
