@@ -11,7 +11,7 @@ from plusedit.document.shape import PlusGeometry, ShapeId
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.net import ControlNet
 
-BLOCK = 1 << 19  # differences that are worked out at once, 12 MB
+BLOCK = 1 << 17  # pairs of points that are compared at once, 1 MB
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,21 +56,28 @@ def falloff(net: ControlNet, rows: tuple[int, ...], radius: float) -> Floats:
     """
     if not radius >= 0.0:
         raise ValueError(f"a radius can't be {radius:g}")
+    meant = list(rows)
     shares = np.zeros(len(net))
-    if radius > 0.0:
-        t = np.minimum(distances(net.control_points, list(rows)) / radius, 1.0)
-        shares = 1.0 - t * t * (3.0 - 2.0 * t)
-    shares[list(rows)] = 1.0
+    shares[meant] = 1.0
+    others = np.flatnonzero(shares == 0.0)
+    if radius > 0.0 and len(others):
+        points = net.control_points
+        t = np.minimum(distances(points[others], points[meant]) / radius, 1.0)
+        shares[others] = 1.0 - t * t * (3.0 - 2.0 * t)
     shares.flags.writeable = False
     return shares
 
 
-def distances(points: Floats, rows: list[int]) -> Floats:
-    """(n,) from each point to the nearest of those of the given numbers."""
-    nearest = np.full(len(points), np.inf)
-    step = max(1, BLOCK // len(points))
-    for start in range(0, len(rows), step):
-        some = points[rows[start : start + step]]
-        between = np.linalg.norm(points[:, None] - some, axis=2)
-        np.minimum(nearest, between.min(axis=1), out=nearest)
-    return nearest
+def distances(points: Floats, others: Floats) -> Floats:
+    """(m,) from each point (m, dim) to the nearest of the others (k, dim)."""
+    center = others.mean(axis=0)
+    near, asked = others - center, points - center
+    # |p - q|^2 less |p|^2, which all q have in common, is one product of matrices. It rounds more
+    # than the difference does, which is why it only says which q is nearest.
+    left = np.column_stack([asked, np.ones(len(asked))])
+    right = np.column_stack([-2.0 * near, (near**2).sum(axis=1)]).T
+    step = max(1, BLOCK // len(others))
+    blocks = range(0, len(points), step)
+    nearest = [(left[start : start + step] @ right).argmin(axis=1) for start in blocks]
+    found: Floats = np.linalg.norm(asked - near[np.concatenate(nearest)], axis=1)
+    return found

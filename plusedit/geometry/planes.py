@@ -68,14 +68,14 @@ class ControlPlanes:
                 f"automatic: expected shape {(2, *points.shape[:2])}, got {automatic.shape}"
             )
         automatic.flags.writeable = False
-        given = frozen(self.given, shape=(2, *points.shape), name="directions")
-        if given[automatic].any():
-            given = frozen(
-                np.where(automatic[..., None], 0.0, given), shape=given.shape, name="directions"
-            )
+        given: ArrayLike = self.given
+        if automatic.any() and np.shape(given) == (2, *points.shape):
+            given = np.where(automatic[..., None], 0.0, given)
         object.__setattr__(self, "points", points)
         object.__setattr__(self, "automatic", automatic)
-        object.__setattr__(self, "given", given)
+        object.__setattr__(
+            self, "given", frozen(given, shape=(2, *points.shape), name="directions")
+        )
         if self.weights is not None:
             weights = frozen(self.weights, shape=points.shape[:2], name="weights")
             if weights.min() <= 0.0:
