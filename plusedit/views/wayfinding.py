@@ -124,9 +124,9 @@ class Wayfinding(Base, Generic[C]):
     # What Qt tells
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
         size = event.size()
         self._navigation.resize(float(size.width()), float(size.height()))
+        super().resizeEvent(event)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         event.accept()
