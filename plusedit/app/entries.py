@@ -89,6 +89,8 @@ def file_entries(window: "MainWindow") -> Iterator[Entry]:
     yield Entry(
         "export_png", "Export PNG…", "File", flows.export_png, ("Ctrl+Shift+E",), 2, "export"
     )
+    yield Entry("export_mesh", "Export mesh…", "File", flows.export_mesh, (), 2, "export",
+                "Curves and surfaces as OBJ, PLY, STL or GLB for other programs")  # fmt: skip
     yield Entry("recover", "Recover unsaved designs…", "File", flows.recover, (), 3, "history",
                 "What other runs left behind when they ended without saving")  # fmt: skip
     yield Entry("quit", "Quit", "File", window.close, ("Ctrl+Q",), 4,

@@ -1,5 +1,6 @@
 """How a picture is to be drawn, and how an SVG is to be read."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -14,6 +15,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from plusedit.io.exporting import Tolerance
+from plusedit.io.exports import exports
 from plusedit.views.arithmetic import calculated
 from plusedit.views.live import quiet
 
@@ -21,6 +24,17 @@ How = Literal["segments", "paths", "fitted"]
 
 LARGEST_SIDE = 16384  # pixels
 USUAL_TOLERANCE = "0.1"  # percent of the size of a path
+USUAL_KIND = "obj"
+USUAL_STRAY = "0.05%"
+VIEWS = {
+    "3d": "3D view, all of the design",
+    "2d": "2D view, all of the design",
+    "iso": "Isometric",
+    "top": "From the top",
+    "front": "From the front",
+    "right": "From the right",
+}
+STRAY = "How far the mesh may stray: a length, or a percentage of the size of what is exported."
 WAYS: dict[How, tuple[str, str]] = {
     "segments": (
         "One curve for each segment",
@@ -44,6 +58,18 @@ class Picture:
     size: tuple[int, int]
     theme: str
     transparent: bool
+    view: str = "2d"
+    """a key of VIEWS"""
+
+
+@dataclass(frozen=True)
+class MeshExport:
+    """How shapes are written as a mesh."""
+
+    kind: str
+    """a name on the shelf of exports"""
+    tolerance: Tolerance
+    only_selected: bool
 
 
 @dataclass(frozen=True)
@@ -93,10 +119,17 @@ class _Question(QDialog):
 
 
 class PictureDialog(_Question):
-    """Size, theme and ground of a picture."""
+    """View, size, theme and ground of a picture."""
 
-    def __init__(self, parent: QWidget | None, size: tuple[int, int], theme: str) -> None:
+    def __init__(
+        self, parent: QWidget | None, size: tuple[int, int], theme: str, views: Sequence[str] = ()
+    ) -> None:
         super().__init__(parent, "Export picture", "Export…")
+        self.view = QComboBox()
+        for name in views:
+            self.view.addItem(VIEWS[name], name)
+        if len(views) > 1:
+            self.form.addRow("View", self.view)
         self.width_field, self.height_field = QLineEdit(str(size[0])), QLineEdit(str(size[1]))
         self.theme = QComboBox()
         for name in ("light", "dark"):
@@ -110,7 +143,35 @@ class PictureDialog(_Question):
 
     def read(self) -> Picture:
         size = (side(self.width_field.text()), side(self.height_field.text()))
-        return Picture(size, str(self.theme.currentData()), self.transparent.isChecked())
+        return Picture(
+            size,
+            str(self.theme.currentData()),
+            self.transparent.isChecked(),
+            self.view.currentData() or "2d",
+        )
+
+
+class MeshDialog(_Question):
+    """Which kind of mesh, of what, and how near to the shapes."""
+
+    def __init__(self, parent: QWidget | None, has_selection: bool) -> None:
+        super().__init__(parent, "Export mesh", "Export…")
+        self.kind = QComboBox()
+        for name, entry in exports.items():
+            self.kind.addItem(f"{entry.title} (*{entry.suffixes[0]})", name)
+        self.kind.setCurrentIndex(self.kind.findData(USUAL_KIND))
+        self.tolerance = QLineEdit(USUAL_STRAY)
+        self.tolerance.setAccessibleName("tolerance")
+        self.only_selected = QCheckBox("Only what is selected")
+        self.only_selected.setEnabled(has_selection)
+        self.form.addRow("File", self.kind)
+        self.form.addRow("Tolerance", self.tolerance)
+        self.form.addRow("", quiet(STRAY))
+        self.form.addRow("", self.only_selected)
+
+    def read(self) -> MeshExport:
+        tolerance = Tolerance.of(self.tolerance.text())
+        return MeshExport(str(self.kind.currentData()), tolerance, self.only_selected.isChecked())
 
 
 class ReadingDialog(_Question):

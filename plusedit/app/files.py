@@ -125,13 +125,21 @@ class Files:
         if path is not None and self.export(path):
             self._desk.say(f"Exported {path.name}.")
 
-    def export_with(self, suffix: str, title: str, write: Callable[[Path], object]) -> None:
-        """Ask for a name with that suffix and let `write` make the file."""
+    def export_with(
+        self, suffix: str, title: str, write: Callable[[Path], object], kind: str = ""
+    ) -> Path | None:
+        """Ask for a name with that suffix and let `write` make the file; where it is now."""
         self._desk.gestures.cancel()
-        kind = f"{suffix[1:].upper()} picture (*{suffix})"
-        path = self.dialogs.export_path(self._suggested(suffix), title, kind)
-        if path is not None and self._tried(lambda: write(path), path):
-            self._desk.say(f"Exported {path.name}.")
+        pattern = f"{kind or f'{suffix[1:].upper()} picture'} (*{suffix})"
+        path = self.dialogs.export_path(self._suggested(suffix), title, pattern)
+        if path is None or not self._tried(lambda: write(path), path):
+            return None
+        self._desk.say(f"Exported {path.name}.")
+        return path
+
+    def seen(self) -> Design:
+        """The design with the view as it is now."""
+        return self._view.kept_with(self._desk.session.committed)
 
     def read(self, path: Path, read: Callable[[], Loaded]) -> Loaded | None:
         """What `read` gives, without the window standing still; errors are told."""

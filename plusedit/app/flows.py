@@ -18,7 +18,7 @@ from plusedit.scene.theme import THEMES
 from plusedit.views.desk import Desk
 
 if TYPE_CHECKING:
-    from plusedit.app.export_dialogs import Picture, Reading
+    from plusedit.app.export_dialogs import MeshExport, Picture, Reading
     from plusedit.app.recovery import Choice
 
 USUAL_PICTURE = (1600, 1200)  # pixels
@@ -70,24 +70,81 @@ class Flows:
         """Write a picture of the design."""
         from plusedit.app.export_dialogs import PictureDialog
 
-        dialog = PictureDialog(self._parent, USUAL_PICTURE, self._desk.theme.name)
-        if dialog.exec():
-            picture = dialog.read()
-            self._files.export_with(
-                ".png", "Export picture", lambda path: self.write_picture(path, picture)
-            )
+        views = ("3d", "2d", "iso", "top", "front", "right") if self._has_space() else ("2d",)
+        dialog = PictureDialog(self._parent, USUAL_PICTURE, self._desk.theme.name, views)
+        if not dialog.exec():
+            return
+        picture = dialog.read()
+        # Drawn here and not in the background: OpenGL wants the thread of the window.
+        data = self._in_space(picture) if picture.view != "2d" else None
+        if data is None and picture.view != "2d":
+            return
+        self._files.export_with(
+            ".png", "Export picture", lambda path: self.write_picture(path, picture, data)
+        )
 
-    def write_picture(self, path: Path, picture: "Picture") -> None:
-        """Draw the design into a file."""
+    def _has_space(self) -> bool:
+        from plusedit.views.opengl import opengl_problem
+
+        return self._desk.session.committed.is_spatial and not opengl_problem()
+
+    def _in_space(self, picture: "Picture") -> bytes | None:
+        """The bytes of a picture by the 3D view; None where it can't be drawn, which is told."""
+        from plusedit.views.gl.functions import OpenGLError
+        from plusedit.views.space_picture import space_png
+
+        try:
+            return space_png(
+                self._files.seen(),
+                picture.size,
+                THEMES[picture.theme],
+                transparent=picture.transparent,
+                view=None if picture.view == "3d" else picture.view,
+            )
+        except (OpenGLError, MemoryError) as error:
+            self._files.dialogs.error(str(error))
+            return None
+
+    def export_mesh(self) -> None:
+        """Write curves and surfaces as a mesh for other programs."""
+        from plusedit.app.export_dialogs import MeshDialog
+
+        self._desk.gestures.cancel()
+        chosen = self._desk.session.selection.shapes
+        dialog = MeshDialog(self._parent, bool(chosen))
+        if dialog.exec():
+            self.write_mesh(dialog.read())
+
+    def write_mesh(self, kind: "MeshExport") -> None:
+        """Ask for a name and write what is selected, or all that is visible."""
+        from plusedit.io.exporting import Report, export_design
+        from plusedit.io.exports import exports
+
+        session, entry = self._desk.session, exports[kind.kind]
+        ids = [i for i in session.committed if i in session.selection.shapes]
+        reports: list[Report] = []
+
+        def write(path: Path) -> None:
+            shapes = ids if kind.only_selected else None
+            reports.append(export_design(session.committed, path, shapes, kind.tolerance))
+
+        path = self._files.export_with(entry.suffixes[0], "Export mesh", write, entry.title)
+        if path is not None and reports:
+            self._desk.say(f"Exported {path.name}: {reports[0]}.")
+            self._files.notes.emit(path.name, reports[0].left_out)
+
+    def write_picture(self, path: Path, picture: "Picture", data: bytes | None = None) -> None:
+        """Write a picture that has been drawn, or draw the 2D view of the design into a file."""
         from plusedit.io.files import write_file
         from plusedit.views.picture import png_of
 
-        data = png_of(
-            self._desk.session.committed,
-            picture.size,
-            THEMES[picture.theme],
-            transparent=picture.transparent,
-        )
+        if data is None:
+            data = png_of(
+                self._desk.session.committed,
+                picture.size,
+                THEMES[picture.theme],
+                transparent=picture.transparent,
+            )
         write_file(data, path)
 
     def recover(self, place: Path | None = None) -> bool:

@@ -1,4 +1,4 @@
-"""Help: what a plus curve is, and what mouse and keys do. The keys are those of the actions."""
+"""Help: what plus curves and surfaces are, and what mouse and keys do; keys as they are now."""
 
 from html import escape
 from itertools import groupby
@@ -20,6 +20,12 @@ Beyond, it overshoots. The slider shows s in units of L, the length of the contr
 <p>A direction that you have not touched is <b>automatic</b> (hollow grips): it follows the
 neighboring points. Turn a grip and it is yours (solid); double-click the grip and it is automatic
 again.</p>
+<h2>What a plus surface is</h2>
+<p>A plus surface blends <i>planes</i>. Each control plane has a point P and two directions: over
+the parameters u and v it runs as L(u, v) = P + s ((u − x) d<sup>u</sup> + (v − y) d<sup>v</sup>).
+In the views it is a small square with two grips: turn the yellow one to lead the surface along u,
+the magenta one along v, or turn the whole plane by a ring of the gizmo that a selected plane
+shows. Each direction can be open or closed: a sheet, a tube, a torus.</p>
 """
 
 MOUSE = (
@@ -33,6 +39,15 @@ MOUSE = (
     ("Wheel", "Zoom at the pointer"),
     ("Middle drag, or Space and drag", "Pan"),
     ("Right click", "Menu of what is selected"),
+    ("3D: middle drag, or Alt and drag", "Turn the view; Shift pans, Ctrl zooms"),
+    ("3D: click an end of the axes in the corner", "Look from that side"),
+    (
+        "3D: drag a point",
+        "Move it in the plane of the screen; X, Y, Z keep to an axis, with Shift "
+        "to the plane across it",
+    ),
+    ("3D: drag an arrow or a ring", "Move along it, turn about it"),
+    ("Double-click an edge of a net", "Select that row of control planes"),
     ("Double-click the s slider", "Measure L anew and go back to s = L / 2"),
 )
 
