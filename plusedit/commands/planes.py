@@ -99,11 +99,11 @@ class DeletePlanes(NetCommand):
 
     def apply(self, design: Design) -> Design:
         left = {shape_id: numbers for shape_id, numbers in self.targets.items() if numbers}
+        for shape_id in left:
+            unlocked(design, shape_id)
         gone = [i for i, numbers in left.items() if goes_whole(design.surface(i), numbers)]
         kept = [shape_id for shape_id in left if shape_id not in gone]
         design = edit_surfaces(design, kept, lambda i, surface: without(surface, left[i]))
-        for shape_id in gone:
-            unlocked(design, shape_id)
         return design.without(*gone) if gone else design
 
     def reselect(self, selection: Selection, old: Design, new: Design) -> Selection:

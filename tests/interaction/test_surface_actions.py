@@ -13,6 +13,7 @@ from plusedit.geometry.bases.bspline import BSpline
 from plusedit.geometry.planes import ControlPlanes
 from plusedit.geometry.surface import PlusSurface
 from plusedit.geometry.surface_magnitude import best_surface_s, natural_length
+from plusedit.interaction import curve_actions, surface_actions
 from plusedit.interaction.actions import edit_actions
 from plusedit.interaction.surface_actions import widest_gap
 from plusedit.scene.camera import PlaneCamera
@@ -90,9 +91,7 @@ def test_no_action_touches_a_locked_surface(name):
         assert hand.session.design[SAIL] is start[SAIL]
 
 
-@pytest.mark.parametrize(
-    "name", [action.name for action in ACTIONS.values() if action.menu.startswith("Curve")]
-)
+@pytest.mark.parametrize("name", [action.name for action in curve_actions.ACTIONS])
 def test_what_is_for_curves_says_so_of_a_surface_and_leaves_it_out_of_a_mixture(name):
     hand = does(a_hand(), name)
     assert hand.errors == ["This works on curves, and only surfaces are selected."]
@@ -104,9 +103,7 @@ def test_what_is_for_curves_says_so_of_a_surface_and_leaves_it_out_of_a_mixture(
     assert not any("surface" in error for error in hand.errors)
 
 
-@pytest.mark.parametrize(
-    "name", [action.name for action in ACTIONS.values() if action.menu.startswith("Surface")]
-)
+@pytest.mark.parametrize("name", [action.name for action in surface_actions.ACTIONS])
 def test_what_is_for_surfaces_says_so_of_a_curve(name):
     hand = a_hand()
     hand.session.select(Selection.of_shapes([WAVE]))
