@@ -48,10 +48,7 @@ def insert_line(curve: PlusCurve, u: float) -> tuple[PlusCurve, int]:
     shares = exact_shares(curve.basis, basis)
     if shares is not None:
         return refined(curve, basis, shares), index
-    # Where old lines keep their nodes the new one stands at u. On a closed curve with even nodes
-    # all lines move along it; begun at another point it has a node at u too.
-    moved = curve.closed and not np.isin(curve.basis.nodes, basis.nodes).all()
-    return _fitted(curve, basis, index, u - basis.nodes[index] if moved else 0.0), index
+    return _fitted(curve, basis, index, shift_of(curve.basis, basis, index, u)), index
 
 
 def with_basis(curve: PlusCurve, basis: Basis) -> PlusCurve:
@@ -70,8 +67,23 @@ def lines_between(curve: PlusCurve, at: Floats) -> ControlLines:
     Outside the nodes of an open curve, the line next to it. A new line is automatic where the
     old ones are.
     """
-    old, nodes, directions = curve.lines, curve.basis.nodes, curve.directions
-    if curve.closed:
+    old, directions = curve.lines, curve.directions
+    rows, weights, distances = neighbors(curve.basis, at)
+    on_lines = old.points[rows] + curve.s * distances[..., None] * directions[rows]
+    points = (weights[..., None] * on_lines).sum(axis=1)
+    given = (weights[..., None] * directions[rows]).sum(axis=1)
+    heights = None if old.weights is None else (weights * old.weights[rows]).sum(axis=1)
+    automatic = (old.automatic[rows] | (weights == 0.0)).all(axis=1)
+    return ControlLines(points, given, automatic, heights)
+
+
+def neighbors(basis: Basis, at: Floats) -> tuple[NDArray[np.intp], Floats, Floats]:
+    """The lines on both sides of parameters (m,), their shares by nearness, and u - x_i.
+
+    Each (m, 2). Outside the nodes of an open basis the share of the line next to it is one.
+    """
+    nodes = basis.nodes
+    if basis.closed:
         at = at % 1.0
         at = np.where(at < nodes[0], at + 1.0, at)
         after = np.searchsorted(nodes, at, side="right")
@@ -80,16 +92,8 @@ def lines_between(curve: PlusCurve, at: Floats) -> ControlLines:
         after = np.clip(np.searchsorted(nodes, at, side="right"), 1, len(nodes) - 1)
         gap = nodes
     rows = np.stack([after - 1, after], axis=1)
-    shares = np.clip((at - gap[rows[:, 0]]) / (gap[rows[:, 1]] - gap[rows[:, 0]]), 0.0, 1.0)
-    weights = np.stack([1.0 - shares, shares], axis=1)
-    distances = at[:, None] - gap[rows]
-    rows %= len(nodes)
-    on_lines = old.points[rows] + curve.s * distances[..., None] * directions[rows]
-    points = (weights[..., None] * on_lines).sum(axis=1)
-    given = (weights[..., None] * directions[rows]).sum(axis=1)
-    heights = None if old.weights is None else (weights * old.weights[rows]).sum(axis=1)
-    automatic = (old.automatic[rows] | (weights == 0.0)).all(axis=1)
-    return ControlLines(points, given, automatic, heights)
+    share = np.clip((at - gap[rows[:, 0]]) / (gap[rows[:, 1]] - gap[rows[:, 0]]), 0.0, 1.0)
+    return rows % len(nodes), np.stack([1.0 - share, share], axis=1), at[:, None] - gap[rows]
 
 
 @singledispatch
@@ -103,7 +107,9 @@ def larger_basis(basis: Basis, u: float) -> tuple[Basis, int]:
 def _(basis: BSpline, u: float) -> tuple[Basis, int]:
     size, order = basis.size + 1, basis.order
     if basis.closed:
-        return replace(basis, size=size), int(np.floor(u % 1.0 * basis.size)) + 1
+        # Just below 0, or below 1, the product may round up to the size itself.
+        span = min(int(np.floor(u % 1.0 * basis.size)), basis.size - 1)
+        return replace(basis, size=size), span + 1
     old = basis.knot_vector
     span = int(np.clip(np.searchsorted(old, u, side="right"), order, basis.size))
     knots = np.insert(old, span, _between(u, old[span - 1], old[span]))
@@ -160,6 +166,16 @@ def _(basis: BSpline, larger: Basis) -> Banded | None:
     return Banded(columns, weights_of_span(arguments.T, old, span), basis.size)
 
 
+def shift_of(old: Basis, larger: Basis, index: int, u: float) -> float:
+    """By how much later than before a curve begins when it gets line `index` for the place u.
+
+    Where old lines keep their nodes the new one stands at u. On a closed curve with even nodes
+    all lines move along it; begun at another point it has a node at u too.
+    """
+    moved = old.closed and not np.isin(old.nodes, larger.nodes).all()
+    return u - float(larger.nodes[index]) if moved else 0.0
+
+
 def _between(u: float, low: float, high: float) -> float:
     """u, brought between both ends of a gap and not too near to either."""
     margin = MARGIN * (high - low)
@@ -212,17 +228,15 @@ def _fitted(curve: PlusCurve, basis: Basis, index: int, shift: float) -> PlusCur
     """
     guess = lines_between(curve, basis.nodes + shift)
     near = PlusCurve(basis, guess.with_directions(guess.directions(closed=curve.closed)), curve.s)
-    u = _samples(near, index)
+    u = samples_about(basis, index)
     values, reaches = _rational(near, u)
     missing = curve.at(u + shift) - near.at(u)
-    free = _involved(values, missing, np.ptp(curve.lines.points))
+    free = involved(values, missing, float(np.ptp(curve.lines.points)))
     # A direction counts as what it moves the curve by; without s it moves nothing and stays.
     pull = near.spacing * max(abs(near.s), float(np.ptp(curve.lines.points))) or 1.0
     columns = np.concatenate([values[:, free], near.s / pull * reaches[:, free]], axis=1)
-    normal = columns.T @ columns
-    normal += np.eye(len(normal)) * (RELUCTANCE**2 * len(u) / basis.size)
     change_of_points, change_of_directions = np.split(
-        np.linalg.solve(normal, columns.T @ missing), 2
+        reluctantly_solved(columns, missing, basis.size), 2
     )
     points, directions = near.lines.points.copy(), near.directions.copy()
     points[free] += change_of_points
@@ -232,9 +246,19 @@ def _fitted(curve: PlusCurve, basis: Basis, index: int, shift: float) -> PlusCur
     )
 
 
-def _samples(curve: PlusCurve, index: int) -> Floats:
-    """Parameters all over the curve, of a long one about the line `index`."""
-    size, closed, nodes = curve.basis.size, curve.closed, curve.basis.nodes
+def reluctantly_solved(columns: Floats, missing: Floats, size: int) -> Floats:
+    """(f, dim) what brings `columns` (m, f) near `missing` (m, dim), itself kept small.
+
+    `size` is the number of lines that the m samples are spread over.
+    """
+    normal = columns.T @ columns
+    normal += np.eye(len(normal)) * (RELUCTANCE**2 * len(columns) / size)
+    return np.asarray(np.linalg.solve(normal, columns.T @ missing))
+
+
+def samples_about(basis: Basis, index: int) -> Floats:
+    """Parameters all over a curve of that basis, of a long one about the line `index`."""
+    size, closed, nodes = basis.size, basis.closed, basis.nodes
     reach = min(0.5 if closed else 1.0, REACH / size)
     count = SAMPLES * min(size, REACH)
     about = np.linspace(-reach, reach, 2 * count + 1)
@@ -256,7 +280,7 @@ def _rational(curve: PlusCurve, u: Floats) -> tuple[Floats, Floats]:
     return values * share, reaches * share
 
 
-def _involved(values: Floats, missing: Floats, extent: float) -> NDArray[np.intp]:
+def involved(values: Floats, missing: Floats, extent: float) -> NDArray[np.intp]:
     """The lines with a part in the curve where anything is missing."""
     is_off = np.abs(missing).max(axis=1) > NOTHING * extent
     return np.flatnonzero((values[is_off] > PART).any(axis=0))

@@ -163,3 +163,11 @@ def test_lines_of_one_straight_motion_still_are_with_another_number(size):
     curve = PlusCurve(Bernstein(8), ControlLines.of(nodes[:, None] * way, [way] * 8), 1.0)
     other = with_basis(curve, RationalGaussian.of_size(size))
     assert_allclose(other.at(U), U[:, None] * way, atol=1e-14)
+
+
+@pytest.mark.parametrize("u", [-1e-45, 1.0 - 1e-16])
+def test_next_to_the_seam_a_closed_curve_gets_a_line_there(u):
+    curve = random_curve("closed", size=5)
+    larger, index = insert_line(curve, u)
+    assert len(larger.lines) == 6
+    assert 0 <= index < 6
