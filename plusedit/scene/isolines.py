@@ -42,7 +42,8 @@ class _Kept:
     items: dict[str, tuple[Item, ...]] = field(default_factory=dict)
 
 
-_KEPT: "WeakKeyDictionary[PlusSurface, tuple[Grids, _Kept]]" = WeakKeyDictionary()
+_KEPT: "WeakKeyDictionary[PlusSurface, dict[Grids, _Kept]]" = WeakKeyDictionary()
+VIEWS = 4  # grids whose lines are kept: those of the plane and of space, drafts of both
 
 
 def isolines(surface: PlusSurface, grids: Grids) -> Isolines:
@@ -62,10 +63,12 @@ def isoline_items(surface: PlusSurface, grids: Grids, fade: str = "") -> tuple[I
 
 
 def _kept(surface: PlusSurface, grids: Grids) -> _Kept:
-    kept = _KEPT.get(surface)
-    if kept is None or kept[0] != grids:
-        kept = _KEPT[surface] = grids, _Kept(_lines(surface, grids))
-    return kept[1]
+    by_grids = _KEPT.setdefault(surface, {})
+    if grids not in by_grids:
+        while len(by_grids) >= VIEWS:
+            del by_grids[next(iter(by_grids))]
+        by_grids[grids] = _Kept(_lines(surface, grids))
+    return by_grids[grids]
 
 
 def _items(lines: Isolines, fade: str) -> Iterator[Item]:

@@ -19,6 +19,7 @@ from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.surface import PlusSurface
 from plusedit.scene.arrows import direction_arrow
 from plusedit.scene.drawn_surface import Grids, surface_grids
+from plusedit.scene.gizmo import gizmo_items, gizmo_of
 from plusedit.scene.items import Item, Label, Mesh, Patch, Polygon
 from plusedit.scene.options import ViewOptions
 from plusedit.scene.shapes import (
@@ -52,8 +53,8 @@ class SpaceLayers:
     handles: tuple[Item, ...] = ()
     """control lines and planes, the first one farthest back: in front of all else, the hidden ones
     fainter"""
-    labels: tuple[Label, ...] = ()
-    """in front of everything"""
+    labels: tuple[Item, ...] = ()
+    """in front of everything, the first one farthest back: words, and what moves the selection"""
 
     def __iter__(self) -> Iterator[Item]:
         return chain(self.solids, self.glass, self.lines, self.handles, self.labels)
@@ -76,7 +77,7 @@ def space_items(
     solids: list[Solid] = []
     glass: list[Area] = []
     lines: list[Item] = []
-    labels: list[Label] = []
+    labels: list[Item] = []
     with np.errstate(all="ignore"):
         overlays = overlay_items(shown, camera, options)
         shapes = (
@@ -97,6 +98,7 @@ def space_items(
                 case _:
                     lines.append(item)
         handles = filter(is_finite, _handles(design, camera, options, selection, only))
+        labels += filter(is_finite, _gizmo(design, camera, options, selection))
         return SpaceLayers(tuple(solids), tuple(glass), tuple(lines), tuple(handles), tuple(labels))
 
 
@@ -157,3 +159,11 @@ def _handles(
         if shape_id in selection.shapes and isinstance(geometry, PlusCurve):
             yield from direction_arrow(geometry, camera)
     yield from handle_items(design, camera, options, selection, only)
+
+
+def _gizmo(
+    design: Design, camera: SpaceCamera, options: ViewOptions, selection: Selection
+) -> Iterator[Item]:
+    gizmo = None if options.handles == "none" else gizmo_of(design, selection, camera)
+    if gizmo is not None:
+        yield from gizmo_items(gizmo, camera)

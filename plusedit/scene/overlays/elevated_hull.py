@@ -1,15 +1,18 @@
-"""The hull of the control points of the same curve in standard form, one degree higher.
+"""The hull of the control points of the same shape in standard form, one degree higher.
 
-It is never larger than the hull of the union of the two parents, and mostly much smaller.
+It is never larger than the hull of the union of the parents, and mostly much smaller.
 """
 
 from collections.abc import Iterator
 
 from plusedit.document.shape import Shape
+from plusedit.geometry.corner_nets import elevated_surface_hull
 from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.elevation import elevated
+from plusedit.geometry.surface import PlusSurface
+from plusedit.geometry.surface_elevation import elevated_surface
 from plusedit.scene.camera import Camera
-from plusedit.scene.hull_areas import hull_area
+from plusedit.scene.hull_areas import hull_area, hull_of, kept_hull
 from plusedit.scene.items import Item, Markers, Polyline
 from plusedit.scene.overlays import overlay
 
@@ -25,6 +28,17 @@ def of_curve(shape: Shape, curve: PlusCurve, camera: Camera) -> Iterator[Item]:
         points = elevated(curve).points
     except ValueError:
         return
-    yield hull_area(points, camera, "union@60", "accent@60")
+    yield from hull_of(curve, "elevated", points, camera, "union@60", "accent@60")
     yield Polyline(points, "accent@45", 1.0, "dash")
+    yield Markers(points, "diamond", 6.0, None, "accent@70", 1.0)
+
+
+@elevated_hull.of_surfaces
+def of_surface(shape: Shape, surface: PlusSurface, camera: Camera) -> Iterator[Item]:
+    """A body with its control points; nothing for families that have no standard form."""
+    hull = kept_hull(surface, "elevated", lambda: elevated_surface_hull(surface))
+    if hull is None:
+        return
+    yield hull_area(hull, camera, "union@60", "accent@60")
+    points = elevated_surface(surface).points.reshape(-1, 3)
     yield Markers(points, "diamond", 6.0, None, "accent@70", 1.0)

@@ -2,7 +2,8 @@
 
 An open plus curve is the mean of two classical curves, weighted by 1 - u and u; so it lies in
 the hull of the union of their control points. The hulls of the two are pink, that of the union
-is blue, the two curves thin. A closed B-spline+ has no such parents; each of its spans has.
+is blue, the two curves thin. A closed B-spline+ has no such parents; each of its spans has. An open
+surface is the mean of four classical surfaces, those of its corner nets, and lies in their hull.
 """
 
 from collections.abc import Iterator
@@ -10,11 +11,13 @@ from collections.abc import Iterator
 import numpy as np
 
 from plusedit.document.shape import Shape
+from plusedit.geometry.corner_nets import corner_hull, corner_nets
 from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.hulls import parents, span_points
+from plusedit.geometry.surface import PlusSurface
 from plusedit.scene.camera import Camera, PlaneCamera
 from plusedit.scene.drawn import drawn
-from plusedit.scene.hull_areas import hull_area
+from plusedit.scene.hull_areas import hull_area, hull_of, kept_hull
 from plusedit.scene.items import Item, Polyline
 from plusedit.scene.overlays import overlay
 
@@ -28,11 +31,30 @@ def of_curve(shape: Shape, curve: PlusCurve, camera: Camera) -> Iterator[Item]:
         yield from _spans(curve, camera)
         return
     two = parents(curve)
-    yield hull_area(np.concatenate([parent.lines.points for parent in two]), camera, "union")
-    for parent in two:
-        yield hull_area(parent.lines.points, camera, "parent")
+    union = np.concatenate([parent.lines.points for parent in two])
+    yield from hull_of(curve, "union", union, camera, "union")
+    for place, parent in enumerate(two):
+        yield from hull_of(curve, f"parent {place}", parent.lines.points, camera, "parent")
     for parent in two:
         yield Polyline(drawn(parent, camera).points, "classical@70", 1.0)
+
+
+@hulls.of_surfaces
+def of_surface(shape: Shape, surface: PlusSurface, camera: Camera) -> Iterator[Item]:
+    """The hull of all four nets, and the four hulls in it; of a closed surface the first alone.
+
+    Nothing for closed families that have no hull.
+    """
+    union = kept_hull(surface, "union", lambda: corner_hull(surface))
+    if union is None:
+        return
+    yield hull_area(union, camera, "union@60", "union")
+    if any(surface.closed):
+        return
+    for place, net in enumerate(corner_nets(surface)):
+        yield from hull_of(
+            surface, f"corner {place}", net.reshape(-1, 3), camera, "parent@35", "parent"
+        )
 
 
 def _spans(curve: PlusCurve, camera: Camera) -> Iterator[Item]:
@@ -43,5 +65,5 @@ def _spans(curve: PlusCurve, camera: Camera) -> Iterator[Item]:
         spans = span_points(curve)
     except ValueError:
         return
-    for points in spans:
-        yield hull_area(points, camera, "union@40", "union")
+    for place, points in enumerate(spans):
+        yield from hull_of(curve, f"span {place}", points, camera, "union@40", "union")
