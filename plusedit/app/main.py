@@ -13,6 +13,7 @@ from plusedit import __version__
 from plusedit.app import errors
 from plusedit.app.settings import Settings
 from plusedit.resources import icon_file
+from plusedit.views.opengl import prepare_opengl
 
 if TYPE_CHECKING:
     from plusedit.app.window import MainWindow
@@ -34,6 +35,8 @@ def run(paths: list[str]) -> int:
 
 def make_application(arguments: list[str]) -> QApplication:
     """The application, in our style."""
+    # The kind of context that is shared can't be chosen once there is an application.
+    prepare_opengl()
     application = QApplication(arguments)
     application.setApplicationName("plusedit")
     application.setApplicationDisplayName("PlusEdit")
