@@ -44,8 +44,10 @@ libraries="
   libwayland-cursor.so.0  libwayland-cursor0
   libwayland-egl.so.1     libwayland-egl1
 "
-# What the tests need besides: OpenGL in software under a virtual screen.
-test_libraries="
+# OpenGL by Mesa, which draws without a graphics card too: in the 3D view, and in pictures of designs
+# in space where there is no display. Systems without apt bring their own.
+drivers="
+  libEGL_mesa.so.0        libegl-mesa0
   libGLX_mesa.so.0        libglx-mesa0
 "
 
@@ -91,7 +93,7 @@ missing_packages() {
   list_libraries || return 0
   {
     echo "$libraries"
-    [ "$1" = tests ] && echo "$test_libraries"
+    if [ "$1" = tests ] || command -v apt-get >/dev/null; then echo "$drivers"; fi
   } | while read -r library package; do
     if [ -n "$library" ] && ! has_library "$library"; then echo "$package"; fi
   done

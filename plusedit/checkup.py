@@ -20,7 +20,11 @@ PACKAGES = {
     "numpy": "numpy >=1.26, <3",
     "PySide6-Essentials": "PySide6-Essentials >=6.8, !=6.11.0, !=6.11.1, <6.12",
     "svgelements": "svgelements >=1.9.6, <2",
+    "pyqtgraph": "pyqtgraph >=0.14, <0.15",
+    "PyOpenGL": "PyOpenGL >=3.1.7, <4",
+    "numba": "numba >=0.61, <1",
 }
+DRIVERS = ("libegl-mesa0", "libglx-mesa0", "libgl1-mesa-dri")
 PATIENCE = 60  # seconds; the first start of Qt on a cold disk takes several
 
 QT = """
@@ -42,6 +46,13 @@ surface.create()
 made = context.create() and context.makeCurrent(surface)
 words = [context.functions().glGetString(code) for code in (0x1F02, 0x1F01)] if made else []
 print(json.dumps({"platform": QGuiApplication.platformName(), "opengl": words}))
+"""
+PICTURES = """
+import json
+from plusedit.views.gl.egl import context_without_display
+from plusedit.views.gl.functions import RENDERER, VERSION
+with context_without_display() as gl:
+    print(json.dumps({"platform": "no display", "opengl": [gl.text(VERSION), gl.text(RENDERER)]}))
 """
 SCREENLESS = ("offscreen", "minimal", "vnc", "linuxfb")
 
@@ -134,17 +145,20 @@ def _qt() -> Finding:
 
 
 def _opengl() -> Finding:
-    if display() is None:
-        return Finding("OpenGL", "not tried without a display")
-    if os.environ.get("QT_QPA_PLATFORM", "").partition(":")[0] in SCREENLESS:
-        return Finding("OpenGL", "not tried: this Qt platform has no screen")
-    trial = _tried(OPENGL)
+    platform = os.environ.get("QT_QPA_PLATFORM", "").partition(":")[0]
+    if display() is None or platform in SCREENLESS:
+        return _opengl_of(PICTURES, "for pictures of designs in space there is none")
+    return _opengl_of(OPENGL, "no window could be opened")
+
+
+def _opengl_of(program: str, failure: str) -> Finding:
+    trial = _tried(program)
+    remedy = install_command(DRIVERS) + "   (drawing in 2D needs none)"
     if trial.answer is None:
-        return Finding("OpenGL", f"no window could be opened: {trial.why}", "see above")
+        return Finding("OpenGL", f"{failure}: {trial.why}", remedy)
     words = trial.answer["opengl"]
     if isinstance(words, list) and words:
         return Finding("OpenGL", f"{', '.join(map(str, words))} ({trial.answer['platform']})")
-    remedy = install_command(["libglx-mesa0", "libgl1-mesa-dri"]) + "   (drawing in 2D needs none)"
     return Finding("OpenGL", "no context can be made", remedy)
 
 

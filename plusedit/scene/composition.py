@@ -7,7 +7,7 @@ from itertools import chain
 import numpy as np
 
 from plusedit.document.design import Design
-from plusedit.scene.camera import PlaneCamera
+from plusedit.scene.camera import AXES, PlaneCamera, Projection
 from plusedit.scene.framing import framed
 from plusedit.scene.graduation import graduation
 from plusedit.scene.items import Item, Segments
@@ -33,17 +33,21 @@ class Composition:
         return chain(self.grid, self.layers)
 
 
-def composed(design: Design, size: tuple[float, float]) -> Composition:
+def composed(
+    design: Design, size: tuple[float, float], projection: Projection | None = None
+) -> Composition:
     """All of the design, with the overlays and control lines that it says itself.
 
-    The grid is shown only where the design asks for it; nothing is selected.
+    It is seen in that projection, or else as its own plane view sees it. The grid is shown only
+    where the design asks for it; nothing is selected.
     """
     options = replace(options_of(design.view), grid=design.view.get("grid") is True, rulers=False)
     view = design.view.get("camera")
-    projection = view.get("projection") if isinstance(view, dict) else None
+    kept = view.get("projection") if isinstance(view, dict) else None
     camera = PlaneCamera(size)
-    if projection in ("front", "right"):
-        camera = replace(camera, projection=projection)
+    for wanted in (kept, projection):
+        if wanted in AXES:
+            camera = replace(camera, projection=wanted)
     margin = max(LEAST_MARGIN, MARGIN * min(size))
     camera = framed(design, camera, options, margin=min(margin, min(size) / 4.0))
     grid = tuple(_grid(camera)) if options.grid else ()

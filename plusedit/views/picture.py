@@ -9,6 +9,7 @@ from PySide6.QtGui import QGuiApplication, QImage
 
 from plusedit.document.design import Design
 from plusedit.machine import is_linux
+from plusedit.scene.camera import Projection
 from plusedit.scene.composition import SIZE, composed
 from plusedit.scene.options import options_of, view_tree
 from plusedit.scene.space_composition import composed_in_space
@@ -23,13 +24,15 @@ def image_of(
     *,
     transparent: bool = False,
     ratio: float = 1.0,
+    projection: Projection | None = None,
 ) -> QImage:
     """The design framed in `size` logical pixels, `ratio` pixels of the image to each.
 
-    Without a running QGuiApplication there is no text; `png_of` sees to one.
+    It is seen as the design's own plane view sees it, or in that projection. Without a running
+    QGuiApplication there is no text; `png_of` sees to one.
     """
     image = _blank(size, theme, transparent=transparent, ratio=ratio)
-    picture = composed(design, (float(size[0]), float(size[1])))
+    picture = composed(design, (float(size[0]), float(size[1])), projection)
     with painting(image) as painter:
         ItemPainter(painter, picture.camera, theme).paint(picture)
     return image
@@ -75,10 +78,11 @@ def png_of(
     theme: Theme = LIGHT,
     *,
     transparent: bool = False,
+    projection: Projection | None = None,
 ) -> bytes:
     """The bytes of a PNG file; needs neither a display nor a running application."""
     application = running_application()
-    image = image_of(design, size, theme, transparent=transparent)
+    image = image_of(design, size, theme, transparent=transparent, projection=projection)
     data = png_bytes(image)
     # Fonts and pixels belong to the application: it has to live until here.
     del application

@@ -49,6 +49,10 @@ def space_image_of(
     height, width, _ = pixels.shape
     kind = QImage.Format.Format_RGBA8888_Premultiplied
     image = QImage(pixels.data, width, height, 4 * width, kind).copy()
+    if image.isNull():
+        raise MemoryError(
+            f"a picture of {width} by {height} pixels takes more memory than there is"
+        )
     image.setDevicePixelRatio(ratio)
     if picture.layers.labels:
         with painting(image) as painter:

@@ -6,7 +6,7 @@ import pytest
 
 from plusedit import checkup
 from plusedit.__main__ import main
-from plusedit.checkup import Finding, findings, works
+from plusedit.checkup import findings, works
 
 
 def found(title):
@@ -46,10 +46,13 @@ def test_a_missing_package_is_told_with_what_installs_it(monkeypatch):
     assert finding.remedy.endswith("-m pip install 'nobody-has-this >=1'")
 
 
-def test_without_a_display_opengl_is_not_tried(monkeypatch):
+def test_without_a_display_opengl_is_tried_for_pictures(monkeypatch):
     monkeypatch.setattr(checkup, "display", lambda: None)
+    monkeypatch.setattr(checkup, "OPENGL", "raise AssertionError")
     assert checkup._display().remedy is not None
-    assert checkup._opengl() == Finding("OpenGL", "not tried without a display")
+    finding = checkup._opengl()
+    assert finding.remedy is None
+    assert finding.text.endswith("(no display)")
 
 
 def test_a_crash_is_a_finding(monkeypatch):

@@ -4,9 +4,15 @@ import os
 import subprocess
 import sys
 
+import numpy as np
 import pytest
+from PySide6.QtGui import QImage
 
 from plusedit.__main__ import main
+from plusedit.resources import example_files
+from plusedit.views.gl.functions import OpenGLError
+
+FLAT = example_files()[0]
 
 
 def rendered(*words):
@@ -26,6 +32,56 @@ def test_a_png_picture_needs_no_display(document, tmp_path):
     assert (int.from_bytes(data[16:20]), int.from_bytes(data[20:24])) == (320, 200)
 
 
+def colors(data):
+    """(height, width, 4) red, green, blue and opacity of a PNG file."""
+    image = QImage.fromData(data).convertToFormat(QImage.Format.Format_RGBA8888)
+    rows = np.frombuffer(image.constBits(), np.uint8)
+    return rows.reshape(image.height(), image.width(), 4).astype(int)
+
+
+@pytest.mark.parametrize("view", ["design", "front", "bottom", "iso"])
+def test_a_surface_is_shaded_without_a_display(document, tmp_path, view):
+    out = tmp_path / "sail.png"
+    run = rendered(document, out, "--view", view, "--size", "320x200", "--transparent")
+    assert (run.returncode, run.stdout, run.stderr) == (0, "", "")
+    seen = colors(out.read_bytes())
+    assert (seen[0, 0] == 0).all()
+    shades = {tuple(pixel) for pixel in seen[seen[..., 3] == 255].tolist()}
+    assert len(shades) > 50
+
+
+def test_in_the_plane_a_surface_is_drawn_as_lines(document, tmp_path):
+    pictures = [tmp_path / f"{view}.svg" for view in ("2d", "top", "iso")]
+    for picture in pictures:
+        assert main(["render", str(document), str(picture), "--view", picture.stem]) == 0
+    flat, top, iso = (picture.read_bytes() for picture in pictures)
+    assert len({flat, top, iso}) == 3
+    assert all(b"<polyline" in picture for picture in (flat, top, iso))
+
+
+def test_a_flat_design_is_seen_from_above_unless_it_is_looked_at_otherwise(tmp_path):
+    by_itself, top, front, iso = (tmp_path / f"{name}.svg" for name in "abcd")
+    assert main(["render", str(FLAT), str(by_itself)]) == 0
+    for picture, view in ((top, "top"), (front, "front"), (iso, "iso")):
+        assert main(["render", str(FLAT), str(picture), "--view", view]) == 0
+    assert top.read_bytes() == by_itself.read_bytes()
+    assert len({front.read_bytes(), iso.read_bytes(), top.read_bytes()}) == 3
+
+
+def test_without_opengl_a_sentence_says_what_helps(document, tmp_path, capsys, monkeypatch):
+    def none(*_arguments):
+        raise OpenGLError("EGL finds no driver")
+
+    monkeypatch.setattr("plusedit.views.space_picture.space_png", none)
+    out = tmp_path / "sail.png"
+    assert main(["render", str(document), str(out)]) == 2
+    told = capsys.readouterr().err
+    assert "EGL finds no driver" in told
+    assert "bash assets/run.sh" in told
+    assert told.count("\n") == 1
+    assert not out.exists()
+
+
 def test_an_svg_picture_needs_no_qt(document, tmp_path):
     out = tmp_path / "bow.svg"
     program = (
@@ -36,7 +92,8 @@ def test_an_svg_picture_needs_no_qt(document, tmp_path):
     run = subprocess.run(
         [sys.executable, "-c", program], capture_output=True, text=True, check=False
     )
-    assert (run.returncode, run.stderr) == (0, "")
+    assert (run.returncode, run.stderr.count("\n")) == (0, 1)
+    assert "surfaces are drawn as lines" in run.stderr
     assert b'width="1200" height="800"' in out.read_bytes()
 
 
@@ -59,6 +116,7 @@ def test_an_svg_file_can_be_what_is_drawn(tmp_path):
         (["{design}", "{folder}/out.svg", "--size", "99999x99999"], "WIDTHxHEIGHT"),
         (["{design}", "{folder}/out.svg", "--size", "wide"], "WIDTHxHEIGHT"),
         (["{design}", "{folder}/out.svg", "--theme", "pink"], "invalid choice"),
+        (["{design}", "{folder}/out.svg", "--view", "behind"], "invalid choice"),
     ],
 )
 def test_what_can_not_be_done_is_said_in_one_sentence(document, tmp_path, capsys, words, sentence):

@@ -68,7 +68,7 @@ class Batch:
 
     def _holds(self, items: Sequence[Item], theme: Theme, camera: SpaceCamera) -> bool:
         old = self.items
-        if len(items) != len(old) or theme is not self._theme or self._camera is None:
+        if len(items) != len(old) or theme != self._theme or self._camera is None:
             return False
         if any(a is not b for a, b in zip(items, old, strict=True)):
             return False

@@ -1,7 +1,7 @@
 """A context of OpenGL that no window system knows of, for pictures where there is no display."""
 
 import ctypes
-import ctypes.util
+import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
@@ -41,6 +41,8 @@ def context_without_display() -> Iterator[Functions]:
 
 
 def _library() -> Any:
+    # Where there is no graphics card Mesa warns of it, and then draws all the same.
+    os.environ.setdefault("EGL_LOG_LEVEL", "fatal")
     try:
         egl = ctypes.CDLL("libEGL.so.1")
     except OSError as error:
