@@ -20,14 +20,35 @@ SWATCHES = {
 CHIP = 14  # logical pixels
 
 
-def draw_chip(painter: QPainter, place: QRectF, color: QColor, *, hollow: bool = False) -> None:
-    """A round chip of a color; hollow where the theme decides."""
+def draw_chip(
+    painter: QPainter,
+    place: QRectF,
+    color: QColor,
+    *,
+    hollow: bool = False,
+    is_surface: bool = False,
+) -> None:
+    """A chip of a color, round for a curve, a sheet for a surface; hollow: the theme decides."""
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     # A rim, so that black is seen on a dark panel and white on a light one.
     rim = color if hollow else QColor(128, 136, 150)
     painter.setPen(QPen(rim, 1.5 if hollow else 1.0))
     painter.setBrush(Qt.BrushStyle.NoBrush if hollow else color)
-    painter.drawEllipse(place.adjusted(1, 1, -1, -1))
+    inside = place.adjusted(1, 1, -1, -1)
+    if not is_surface:
+        painter.drawEllipse(inside)
+        return
+    lean, low = inside.width() / 4.0, inside.height() / 6.0
+    top, bottom = inside.top() + low, inside.bottom() - low
+    left, right = inside.left(), inside.right()
+    painter.drawPolygon(
+        [
+            QPointF(left + lean, top),
+            QPointF(right, top),
+            QPointF(right - lean, bottom),
+            QPointF(left, bottom),
+        ]
+    )
 
 
 def chip_icon(color: QColor | None, *, hollow: bool = False) -> QIcon:
@@ -56,7 +77,7 @@ class ColorButton(QToolButton):
         self.setAccessibleName("color")
         self.setProperty("field", True)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        self.setToolTip("Color of the curve")
+        self.setToolTip("Color of the shape")
         self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         self.setIconSize(QSize(CHIP, CHIP))
         self.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
@@ -81,6 +102,6 @@ class ColorButton(QToolButton):
         self.setText(self._color.name().upper() if first else "Theme’s color")
 
     def _ask(self) -> None:
-        color = QColorDialog.getColor(self._color, self, "Color of the curve")
+        color = QColorDialog.getColor(self._color, self, "Color of the shape")
         if color.isValid():
             self._apply(color.name())

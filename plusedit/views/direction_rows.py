@@ -33,6 +33,7 @@ class DirectionRows:
         self._shapes: dict[ShapeId, PlusGeometry] = {}
         self._title = None if side is None else title(TITLES[side])
         if self._title is not None:
+            self._title.setContentsMargins(0, 6, 0, 0)
             form.addRow(self._title)
         self._angle = self._number("Angle °", "angle", self._set_angle)
         self._azimuth = self._number("Azimuth °", "azimuth", self._set_azimuth)

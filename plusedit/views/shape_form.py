@@ -86,7 +86,11 @@ class ShapeForm(QWidget):
         self._ratio.show_value(common(round(ratio, 9) for ratio in ratios))
         self._show_shares()
         styles = [shape.style for shape in shapes.values()]
-        self._color.show_color([s.color for s in styles], self._desk.theme.color("plus"))
+        are_surfaces = [isinstance(g, PlusSurface) for g in self._plus.values()]
+        has_none_but = bool(are_surfaces) and all(are_surfaces)
+        usual = self._desk.theme.color("front" if has_none_but else "plus")
+        self._color.show_color([s.color for s in styles], usual)
+        self._below.setRowVisible(self._width, not has_none_but)
         self._width.show_value(common(s.width or USUAL_WIDTH for s in styles))
 
     def _rename(self, name: str) -> str:

@@ -20,7 +20,7 @@ FAINT = 0.45  # opacity of what is hidden
 
 
 class ShapeRows(QStyledItemDelegate):
-    """A chip in the curve's color, the name, and a lock and an eye at the right end."""
+    """A chip in the shape's color, the name, and a lock and an eye at the right end."""
 
     def __init__(self, desk: Desk, model: ShapesModel, parent: QWidget) -> None:
         super().__init__(parent)
@@ -81,8 +81,12 @@ class ShapeRows(QStyledItemDelegate):
             painter.setPen(QPen(QColor(self._desk.theme.color("quiet")), 1.5, Qt.PenStyle.DotLine))
             painter.drawRect(place.adjusted(1, 1, -1, -1))
             return
-        color = QColor(shape.style.color or self._desk.theme.color("plus"))
-        draw_chip(painter, place, color, hollow=shape.style.color is None)
+        is_surface = shape.surface is not None
+        # The warm gray of surfaces would hardly be seen as a thin outline.
+        usual = "quiet" if is_surface else "plus"
+        color = QColor(shape.style.color or self._desk.theme.color(usual))
+        hollow = shape.style.color is None
+        draw_chip(painter, place, color, hollow=hollow, is_surface=is_surface)
 
     def _name(
         self, painter: QPainter, row: QRect, shape: Shape, option: QStyleOptionViewItem
