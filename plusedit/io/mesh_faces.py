@@ -5,13 +5,13 @@ which the normal points counterclockwise.
 """
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from plusedit.geometry.arrays import Floats
+
 Numbers = NDArray[np.int64]
-Points = NDArray[Any]
 
 THIN = 1e-12  # a height of that, by the longest side, is none
 CLEARLY = 1.001  # rounding alone shall not change the pattern of diagonals
@@ -21,18 +21,20 @@ CLEARLY = 1.001  # rounding alone shall not change the pattern of diagonals
 class Faces:
     """Corners of faces, as numbers of points."""
 
+    points: Floats
+    """(n, 3) of a size that areas can be calculated with"""
     quads: Numbers
     """(q, 4)"""
     triangles: Numbers
     """(t, 3)"""
 
-    def cut(self, points: Points) -> Numbers:
+    def cut(self) -> Numbers:
         """(2 q + t, 3) with every quad cut along the diagonal that gives the fuller triangles."""
         a, b, c, d = self.quads.T
         one = np.stack([[a, b, c], [a, c, d]])
         other = np.stack([[a, b, d], [b, c, d]])
         doubled = [
-            np.minimum(*(_doubled_areas(points[half.T]) for half in halves))
+            np.minimum(*(_doubled_areas(self.points[half.T]) for half in halves))
             for halves in (one, other)
         ]
         halves = np.where(doubled[1] > CLEARLY * doubled[0], other, one)
@@ -46,7 +48,7 @@ def cells(first: int, last: int, columns: int) -> Numbers:
     return np.stack([a, a + columns, a + columns + 1, a + 1], axis=1)
 
 
-def faces_of(points: Points, corners: Numbers) -> Faces:
+def faces_of(points: Floats, corners: Numbers) -> Faces:
     """What is left of those cells (k, 4) where corners meet."""
     at = points[corners]
     meets = (at == np.roll(at, -1, axis=1)).all(axis=2)
@@ -56,22 +58,19 @@ def faces_of(points: Points, corners: Numbers) -> Faces:
     three, merged = (lost == 1) & ~crossed, meets.argmax(axis=1)
     triangles = corners[three][np.arange(4) != merged[three][:, None]].reshape(-1, 3)
     wide = np.maximum(*(_width(points[quads[:, half]]) for half in ([0, 1, 2], [0, 2, 3]))) > THIN
-    return Faces(quads[wide], triangles[_width(points[triangles]) > THIN])
+    return Faces(points, quads[wide], triangles[_width(points[triangles]) > THIN])
 
 
-def _doubled_areas(corners: Points) -> NDArray[np.float64]:
+def _doubled_areas(at: Floats) -> Floats:
     """(k,) of triangles (k, 3, 3)."""
-    at = corners.astype(np.float64)
-    across: NDArray[np.float64] = np.linalg.norm(
-        np.cross(at[:, 1] - at[:, 0], at[:, 2] - at[:, 0]), axis=1
-    )
-    return across
+    across = np.cross(at[:, 1] - at[:, 0], at[:, 2] - at[:, 0])
+    areas: Floats = np.sqrt(np.einsum("kd,kd->k", across, across))
+    return areas
 
 
-def _width(corners: Points) -> NDArray[np.float64]:
+def _width(at: Floats) -> Floats:
     """(k,) of triangles (k, 3, 3) the height over the longest side, divided by that side."""
-    at = corners.astype(np.float64)
     sides = at - np.roll(at, 1, axis=1)
-    squares: NDArray[np.float64] = np.einsum("kcd,kcd->kc", sides, sides).max(axis=1)
+    squares: Floats = np.einsum("kcd,kcd->kc", sides, sides).max(axis=1)
     areas = _doubled_areas(at)
     return np.divide(areas, squares, out=np.zeros_like(areas), where=squares > 0.0)

@@ -83,7 +83,14 @@ class SurfaceMesh:
                 corners = cells(rows.start, last, len(self.v))
                 if self.turned:
                     corners = corners[:, ::-1]
-                yield faces_of(self.points.reshape(-1, 3), corners)
+                yield faces_of(self.scaled, corners)
+
+    @cached_property
+    def scaled(self) -> Floats:
+        """(rows * columns, 3) the points, halved or doubled until they are no larger than one."""
+        points = self.points.reshape(-1, 3).astype(np.float64)
+        # By a power of two, nothing is rounded: what was the same stays so, and nothing else.
+        return np.ldexp(points, -int(np.frexp(np.abs(points).max())[1]))
 
     @cached_property
     def face_counts(self) -> tuple[int, int]:
@@ -94,8 +101,7 @@ class SurfaceMesh:
     @cached_property
     def triangle_count(self) -> int:
         """How many triangles there are once every quad is cut in two."""
-        points = self.points.reshape(-1, 3)
-        return sum(len(faces.cut(points)) for faces in self.faces())
+        return sum(len(faces.cut()) for faces in self.faces())
 
     @cached_property
     def welded(self) -> tuple[Numbers, Numbers]:
@@ -199,10 +205,9 @@ def _outward(mesh: SurfaceMesh) -> SurfaceMesh:
     ends = (all(mesh.poles[:2]), all(mesh.poles[2:]))
     if not all(closed or both for closed, both in zip(mesh.closed, ends, strict=True)):
         return mesh
-    points = mesh.points.reshape(-1, 3).astype(np.float64)
-    points -= points.mean(axis=0)
+    points = mesh.scaled - mesh.scaled.mean(axis=0)
     volume = 0.0
     for faces in mesh.faces():
-        a, b, c = points[faces.cut(points).T]
+        a, b, c = points[faces.cut().T]
         volume += float(np.einsum("kd,kd->", a, np.cross(b, c)))
     return replace(mesh, normals=-mesh.normals, turned=True) if volume < 0.0 else mesh

@@ -91,6 +91,20 @@ def test_deep_nesting_is_refused(depth, opening, closing):
     assert "nested" in sentence(with_key(opening * depth + b"0" + closing * depth))
 
 
+@pytest.mark.parametrize("depth", [1, 50, 100, 900])
+def test_a_point_that_is_nested_is_refused(depth):
+    nested = b"[" * depth + b"2.5" + b"]" * depth
+    told = sentence(DOCUMENT.replace(b"[1, 0, 2.5]", b"[1, 0, %b]" % nested))
+    assert told.startswith('shape "sail": points: row 1: point 1: expected finite numbers')
+
+
+@pytest.mark.parametrize("rows", [1, 3, 200_000])
+def test_counts_of_rows_that_fit_nothing_are_refused(rows):
+    many = b"[" + b",".join([b"[1, 1, 1]"] * rows) + b"]"
+    told = sentence(DOCUMENT.replace(b"[[1, 2, 3], [1, 1, 1]]", many))
+    assert told.startswith('shape "sail": weights: has ')
+
+
 def test_nesting_that_is_not_ended_is_refused():
     assert sentence(b"[" * 100_000) == "is nested too deeply"
 

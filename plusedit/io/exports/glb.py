@@ -62,9 +62,8 @@ def _binary(mesh: SurfaceMesh) -> Iterator[bytes]:
         yield mesh.normals[rows].astype("<f4").tobytes()
     for rows in mesh.blocks():
         yield mesh.parameters(rows).astype("<f4").tobytes()
-    points = mesh.points.reshape(-1, 3)
     for faces in mesh.faces():
-        yield faces.cut(points).astype("<u4").tobytes()
+        yield faces.cut().astype("<u4").tobytes()
 
 
 def _tree(meshes: Sequence[SurfaceMesh]) -> dict[str, Any]:

@@ -7,7 +7,7 @@ import numpy as np
 
 from plusedit.io.exports import register
 from plusedit.io.formats import FormatError
-from plusedit.io.mesh_faces import Numbers, Points
+from plusedit.io.mesh_faces import Numbers
 from plusedit.io.surface_mesh import Strand, SurfaceMesh
 
 # A reader takes a file that begins with "solid" for text.
@@ -34,18 +34,17 @@ class BinaryStl:
         stream.write(TITLE)
         stream.write(count.to_bytes(4, "little"))
         for mesh in meshes:
-            points = mesh.points.reshape(-1, 3)
             for faces in mesh.faces():
-                stream.write(_facets(points, faces.cut(points)))
+                stream.write(_facets(mesh, faces.cut()))
 
 
 register("stl")(BinaryStl())
 
 
-def _facets(points: Points, triangles: Numbers) -> bytes:
+def _facets(mesh: SurfaceMesh, triangles: Numbers) -> bytes:
     facets = np.zeros(len(triangles), dtype=FACET)
-    facets["corners"] = points[triangles]
-    a, b, c = points[triangles.T].astype(np.float64)
+    facets["corners"] = mesh.points.reshape(-1, 3)[triangles]
+    a, b, c = mesh.scaled[triangles.T]
     across = np.cross(b - a, c - a)
     length = np.linalg.norm(across, axis=1, keepdims=True)
     facets["normal"] = np.divide(across, length, out=np.zeros_like(across), where=length > 0.0)
