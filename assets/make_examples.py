@@ -1,7 +1,7 @@
 """Makes the designs in the folder `examples`: run `python assets/make_examples.py`.
 
 Figures 1 to 6 of A. A. Goshtasby, Plus Curves and Surfaces, with control points of our own, and
-five drawings that show what control lines are good for.
+five drawings that show what control lines are good for. Those in space are in `surface_examples`.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 from numpy.typing import ArrayLike
+from surface_examples import SURFACES
 
 from plusedit.document.design import Design
 from plusedit.document.shape import Json, Shape, Style
@@ -321,7 +322,7 @@ def vase() -> Design:
 
 EXAMPLES: tuple[Callable[[], Design], ...] = (
     figure_1, figure_2, figure_3, figure_4, figure_5, figure_6,
-    clef, braid, windflower, rose, vase,
+    clef, braid, windflower, rose, vase, *SURFACES,
 )  # fmt: skip
 
 

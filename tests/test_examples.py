@@ -2,6 +2,7 @@
 
 import json
 import runpy
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -9,12 +10,16 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from plusedit.geometry.frames import curvature
+from plusedit.geometry.making.lofting import section_parameters
+from plusedit.geometry.surface import PlusSurface
 from plusedit.io.files import load
 from plusedit.resources import example_files
-from plusedit.scene.options import options_of
+from plusedit.scene.options import options_of, panes_of, space_camera_of
 from plusedit.scene.overlays import overlays
 
-MAKER = runpy.run_path(str(Path(__file__).parents[1] / "assets/make_examples.py"))
+ASSETS = Path(__file__).parents[1] / "assets"
+sys.path.append(str(ASSETS))
+MAKER = runpy.run_path(str(ASSETS / "make_examples.py"))
 
 
 def panels(name):
@@ -130,3 +135,97 @@ def test_figure_6_lowers_s_and_then_reverses_the_upper_right_line():
 def test_the_strands_of_the_braid_share_one_straight_line():
     for curve in panels("braid").values():
         assert_array_equal(curve.lines.points[:, 1], 0.0)
+
+
+# In space
+
+
+def surfaces(name):
+    """The surfaces of an example by the names of its shapes."""
+    return {key: shape.surface for key, shape in spatial(name).items() if shape.surface}
+
+
+def spatial(name):
+    """The shapes of an example by their names."""
+    [path] = [path for path in example_files() if path.stem == name]
+    return {shape.name: shape for shape in load(path).design.shapes.values()}
+
+
+SPATIAL = [path for path in example_files() if load(path).design.is_spatial]
+
+
+def test_there_are_a_sail_a_tube_a_torus_and_a_loft():
+    assert {"figure_7", "sail", "tube", "torus", "loft"} <= {path.stem for path in SPATIAL}
+
+
+@pytest.mark.parametrize("path", SPATIAL, ids=lambda path: path.stem)
+def test_an_example_in_space_is_in_full_view(path):
+    design, size = load(path).design, (1200.0, 800.0)
+    camera = space_camera_of(design.view, size)
+    assert panes_of(design.view) == "3d"
+    for _, geometry in design.drawn():
+        seen = camera.to_screen(points_of(geometry))
+        assert (seen > 0.0).all() and (seen < size).all()
+
+
+def points_of(geometry):
+    """Points of a curve or surface."""
+    t = np.linspace(0.0, 1.0, 21)
+    points = geometry.at(t, t) if isinstance(geometry, PlusSurface) else geometry.at(t)
+    return points.reshape(-1, geometry.dimension)
+
+
+def test_figure_7_has_the_same_16_points_four_times():
+    panels = list(surfaces("figure_7").values())
+    assert len(panels) == 4
+    for panel in panels:
+        assert panel.planes.shape == (4, 4)
+        ahead = panel.planes.points - panel.planes.points[0, 0]
+        assert_allclose(ahead, panels[0].planes.points - panels[0].planes.points[0, 0], atol=1e-6)
+
+
+def test_figure_7_goes_from_bezier_to_bezier_plus():
+    a, b, c, d = surfaces("figure_7").values()
+    assert a.s == 0.0 < b.s == c.s == d.s
+    assert b.planes.automatic.all()
+    t = np.linspace(0.0, 1.0, 41)
+    # It expands towards its control points.
+    middle = slice(1, 3)
+    gaps = [
+        np.linalg.norm(p.at(t, t)[:, :, None, None] - p.planes.points[middle, middle], axis=-1)
+        for p in (a, b)
+    ]
+    assert (gaps[1].min(axis=(0, 1)) < gaps[0].min(axis=(0, 1))).all()
+
+
+@pytest.mark.parametrize(("panel", "turned"), [("(c)", (0, 3)), ("(d)", (1, 2))])
+def test_figure_7_turns_four_planes_and_keeps_the_lengths_of_their_directions(panel, turned):
+    start, other = surfaces("figure_7")["(b)"], surfaces("figure_7")[panel]
+    changed = (np.abs(other.directions - start.directions) > 0.1).any(axis=(0, 3))
+    wanted = np.zeros((4, 4), dtype=bool)
+    wanted[np.ix_(turned, turned)] = True
+    assert_array_equal(changed, wanted)
+    assert_allclose(np.linalg.norm(other.directions, axis=-1), 1.0, atol=1e-5)
+
+
+def test_the_points_of_tube_and_torus_lie_on_round_ones():
+    tube, torus = surfaces("tube")["tube"], surfaces("torus")["torus"]
+    assert (tube.closed, torus.closed) == ((True, False), (True, True))
+    assert_allclose(np.hypot(*tube.planes.points[..., :2].T), 1.0, atol=1e-5)
+    x, y, z = torus.planes.points.reshape(-1, 3).T
+    assert_allclose(np.hypot(np.hypot(x, y) - 2.0, z), 0.75, atol=1e-5)
+
+
+def test_the_loft_meets_its_sections():
+    shapes = spatial("loft")
+    vase = shapes["vase"].surface
+    curves = [shape.curve for shape in shapes.values() if shape.curve]
+    t = np.linspace(0.0, 1.0, 21)
+    for v, curve in zip(section_parameters(curves), curves, strict=True):
+        assert_allclose(vase.at(t, [v])[:, 0], curve.at(t), atol=1e-5)
+
+
+def test_the_goblet_is_round():
+    t = np.linspace(0.0, 1.0, 21)
+    radius = np.hypot(*surfaces("goblet")["goblet"].at(t, t)[..., :2].T)
+    assert_allclose(radius, np.broadcast_to(radius[:, :1], radius.shape), rtol=1e-12)
