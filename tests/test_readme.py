@@ -9,7 +9,8 @@ import pytest
 
 README = (Path(__file__).parents[1] / "README.md").read_text(encoding="utf-8")
 BLOCKS = re.findall(r"^```python\n(.*?)^```$", README, re.MULTILINE | re.DOTALL)
-LIBRARY, *ADDITIONS = BLOCKS
+ADDITIONS = [block for block in BLOCKS if block.startswith("# plusedit/")]
+LIBRARY = [block for block in BLOCKS if block not in ADDITIONS]
 
 CHECKS = {
     "bases": """
@@ -54,6 +55,21 @@ for bad in (b"", b"1\\n", b"1 2\\n", b"1 2\\n3\\n", b"x y\\nz w\\n"):
         continue
     raise AssertionError(bad)
 """,
+    "exports": """
+import io
+import numpy as np
+from plusedit.geometry import Bernstein
+from plusedit.geometry.planes import ControlPlanes
+from plusedit.geometry.surface import PlusSurface
+from plusedit.io.exports import exports
+from plusedit.io.surface_mesh import meshed
+planes = ControlPlanes.of([[[x, y, 0] for y in (0, 1)] for x in (0, 1)])
+surface = PlusSurface(Bernstein(2), Bernstein(2), planes)
+even, stream = np.linspace(0, 1, 4), io.BytesIO()
+exports["cloud"].write(stream, [meshed(surface, even, even)], [])
+rows = np.loadtxt(stream.getvalue().decode().splitlines())
+assert rows.shape == (16, 6) and (rows[:, 3:] == [0, 0, 1]).all()
+""",
 }
 
 
@@ -65,10 +81,11 @@ def run(code):
     return done.stdout
 
 
-def test_the_library_prints_what_the_comments_say():
-    said = re.findall(r"^print\(.*\) +# (.*)$", LIBRARY, re.MULTILINE)
-    assert len(said) == LIBRARY.count("print(")
-    assert run(LIBRARY).splitlines() == said
+@pytest.mark.parametrize("block", LIBRARY, ids=["curves", "surfaces"])
+def test_the_library_prints_what_the_comments_say(block):
+    said = re.findall(r"^print\(.*\) +# (.*)$", block, re.MULTILINE)
+    assert len(said) == block.count("print(") > 0
+    assert run(block).splitlines() == said
 
 
 @pytest.mark.parametrize("block", ADDITIONS, ids=lambda block: block.splitlines()[0][2:])

@@ -19,7 +19,7 @@ FLOAT, UNSIGNED_INT, TRIANGLES = 5126, 5125, 4  # the numbers of the standard
 ARRAY_BUFFER, ELEMENT_ARRAY_BUFFER = 34962, 34963
 MOST = 2**32 - 1  # bytes; the length has four bytes
 Z_UP = [-(0.5**0.5), 0.0, 0.0, 0.5**0.5]  # a quarter turn about x, as a quaternion
-USUAL_COLOR = "#8ea4c0"
+USUAL_COLOR = "#c9c2b8"
 ROUGHNESS = 0.6
 PER_POINT = (("POSITION", 3), ("NORMAL", 3), ("TEXCOORD_0", 2))
 
@@ -85,7 +85,7 @@ def _tree(meshes: Sequence[SurfaceMesh]) -> dict[str, Any]:
         count = 3 * mesh.triangle_count
         primitive = {"attributes": attributes, "indices": len(accessors), "mode": TRIANGLES}
         primitive["material"] = colors.index(mesh.color or USUAL_COLOR)
-        made.append({"name": mesh.name, "primitives": [primitive]})
+        made.append({"name": _name(mesh), "primitives": [primitive]})
         accessors.append(_accessor(len(views), count, "SCALAR", UNSIGNED_INT))
         views.append(_view(offset, 4 * count, ELEMENT_ARRAY_BUFFER))
         offset += views[-1]["byteLength"]
@@ -104,8 +104,13 @@ def _tree(meshes: Sequence[SurfaceMesh]) -> dict[str, Any]:
 
 def _nodes(meshes: Sequence[SurfaceMesh]) -> list[dict[str, Any]]:
     """The root, and one child a mesh."""
-    children = [{"name": mesh.name, "mesh": i} for i, mesh in enumerate(meshes)]
+    children = [{"name": _name(mesh), "mesh": i} for i, mesh in enumerate(meshes)]
     return [{"rotation": Z_UP, "children": list(range(1, len(children) + 1))}, *children]
+
+
+def _name(mesh: SurfaceMesh) -> str:
+    """As Unicode that every reader takes: half a surrogate pair is no character."""
+    return mesh.name.encode("utf-8", "replace").decode()
 
 
 def _accessor(view: int, count: int, kind: str, component: int) -> dict[str, Any]:
