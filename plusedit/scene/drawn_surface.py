@@ -1,8 +1,8 @@
 """Surfaces as grids of facets that look smooth: no farther than half a pixel from the surface.
 
-A surface is first sampled at every knot and some parameters between. How far the middle of each
-interval strays from its chord tells in how many parts, a power of two, it has to be cut: a chord
-half as long strays a quarter as far. What is far outside of the view is left coarse.
+A surface is first sampled at every knot and some parameters between. How far each interval strays
+from its chord tells in how many parts, a power of two, it has to be cut: a chord half as long
+strays a quarter as far. What is far outside of the view is left coarse.
 
 A new grid is finer than it has to be, and one that was made for the same bases serves on while it
 is fine enough: so the same grid, and the same matrices, last through a drag and while s changes.
@@ -29,6 +29,7 @@ DRAFT = 4.0  # times the tolerance while there is no time
 AHEAD = 0.4  # of the tolerance: a new grid is that fine, so that it lasts through a drag
 MOST, MOST_OF_DRAFT = 1 << 16, 1 << 13  # points of one grid, unless its knots alone are more
 FEWEST = 8  # intervals that are looked at in each direction
+PARTS = 4  # of an interval, a power of two: where they end it is compared with its chord
 BESIDE = 0.5  # of the view, around it: what lies there is as fine as what is seen
 WASTE = 2.5  # times as many points as there have to be, up to which a grid serves on
 
@@ -107,20 +108,26 @@ def _grids(surface: PlusSurface, strays: Strays, camera: Camera, draft: bool) ->
 
 
 def _strays(surface: PlusSurface) -> Strays:
-    by_u, by_v = (_looked_at(basis) for basis in surface.bases)
-    points = surface.sample(by_u, by_v)
-    return Strays(
-        points[::2, ::2],
-        _sagitta(points[:, ::2]),
-        _sagitta(points[::2].swapaxes(0, 1)).swapaxes(0, 1),
-    )
+    by_u, by_v = surface.bases
+    along_u = surface.sample(_looked_at(by_u), _intervals(by_v))
+    along_v = surface.sample(_intervals(by_u), _looked_at(by_v)).swapaxes(0, 1)
+    return Strays(along_u[::PARTS], _sagitta(along_u), _sagitta(along_v).swapaxes(0, 1))
 
 
 def _sagitta(points: Floats) -> Floats:
-    """(m, k) how far every second of points (2 m + 1, k, 3) is from the middle of its neighbors."""
-    off = points[1::2] - (points[:-1:2] + points[2::2]) / 2.0
-    lengths: Floats = np.sqrt(np.einsum("ijd,ijd->ij", off, off))
-    return lengths
+    """(m, k) how far points (PARTS m + 1, k, 3) stray from chords from each PARTS-th to the next.
+
+    Compared with where a straight line has them: on a curve that is run through unevenly that is
+    more than its distance, and asks for shorter chords there.
+    """
+    starts, ends = points[:-1:PARTS], points[PARTS::PARTS]
+    most = np.zeros(starts.shape[:2])
+    for part in range(1, PARTS):
+        share = part / PARTS
+        off = points[part::PARTS] - ((1.0 - share) * starts + share * ends)
+        np.maximum(most, np.einsum("ijd,ijd->ij", off, off), out=most)
+    strays: Floats = np.sqrt(most)
+    return strays
 
 
 def _in_pixels(strays: Strays, camera: Camera) -> tuple[Floats, Floats]:
@@ -192,8 +199,9 @@ def _remember(key: tuple[Basis, Basis, bool], cuts: tuple[Cuts, Cuts]) -> None:
 
 @lru_cache(maxsize=128)
 def _looked_at(basis: Basis) -> Grid:
-    """Parameters where intervals meet, and the middle of each between them."""
-    return _halved(_intervals(basis))
+    """Parameters where intervals meet, and between them those that divide each into PARTS."""
+    exponents = np.full(len(_intervals(basis)) - 1, PARTS.bit_length() - 1, dtype=np.int8)
+    return _cut(basis, exponents.tobytes())
 
 
 @lru_cache(maxsize=128)
@@ -204,13 +212,6 @@ def _intervals(basis: Basis) -> Grid:
     inside = np.arange(parts) / parts
     steps = ends[:-1, None] + np.diff(ends)[:, None] * inside
     return Grid(np.unique(np.append(steps, 1.0)))
-
-
-def _halved(grid: Grid) -> Grid:
-    u = grid.parameters
-    halves = np.empty(2 * len(u) - 1)
-    halves[::2], halves[1::2] = u, (u[:-1] + u[1:]) / 2.0
-    return Grid(halves)
 
 
 @lru_cache(maxsize=128)
