@@ -9,18 +9,31 @@ from plusedit.geometry.bases import families
 from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.lines import ControlLines
 from plusedit.scene.camera import AXES, PlaneCamera
-from plusedit.scene.items import Label, Markers, Polygon, Polyline, Segments
+from plusedit.scene.items import Label, Markers, Mesh, Patch, Polygon, Polyline, Segments
 from plusedit.scene.overlays import in_order, overlays
+from plusedit.scene.space_camera import SpaceCamera
 from plusedit.scene.theme import THEMES
 from tests.designs import bits
 from tests.geometry.curves import KINDS, random_curve
+from tests.geometry.surfaces import PAIRS, a_surface, random_surface
 
 every_overlay = pytest.mark.parametrize("name", list(overlays))
+of_surfaces = pytest.mark.parametrize(
+    "name", [name for name, entry in overlays.items() if "surface" in entry.takes]
+)
 CAMERA = PlaneCamera((800.0, 600.0), scale=200.0)
+IN_SPACE = SpaceCamera((800.0, 600.0), height=3.0)
 
 
-def drawn(name, curve, camera=CAMERA):
-    return list(overlays[name].draw(Shape(curve, "Bow & arrow"), curve, camera))
+def drawn(name, geometry, camera=CAMERA):
+    return list(overlays[name].draw(Shape(geometry, "Bow & arrow"), geometry, camera))
+
+
+def cameras():
+    for perspective in (True, False):
+        yield SpaceCamera((800.0, 600.0), height=3.0, perspective=perspective)
+    for projection in AXES:
+        yield PlaneCamera((800.0, 600.0), scale=200.0, projection=projection)
 
 
 def places(item):
@@ -30,14 +43,16 @@ def places(item):
             return [starts, ends]
         case Label(at):
             return [at[None]]
-        case Polyline(points) | Polygon(points) | Markers(points):
+        case Polyline(points) | Polygon(points) | Markers(points) | Mesh(points):
             return [points]
+        case Patch(surface, grid_u, grid_v):
+            return [surface.sample(grid_u, grid_v).reshape(-1, 3)]
 
 
 def colors(item):
     return [
         getattr(item, name)
-        for name in ("color", "fill", "outline")
+        for name in ("color", "fill", "outline", "front", "back")
         if getattr(item, name, None) is not None
     ]
 
@@ -47,11 +62,33 @@ def colors(item):
 @pytest.mark.parametrize("dimension", [2, 3])
 def test_it_draws_every_kind_of_curve_along_every_axis(name, kind, dimension):
     curve = random_curve(kind, dimension=dimension, contrast=4.0)
-    for projection in AXES:
-        camera = PlaneCamera((800.0, 600.0), scale=200.0, projection=projection)
+    for camera in cameras():
         for item in drawn(name, curve, camera):
             for points in places(item):
                 assert np.isfinite(camera.to_screen(points)).all()
+
+
+@of_surfaces
+@pytest.mark.parametrize("kinds", PAIRS)
+def test_it_draws_every_kind_of_surface_along_every_axis_and_in_space(name, kinds):
+    surface = random_surface(*kinds, contrast=4.0)
+    for camera in cameras():
+        for item in drawn(name, surface, camera):
+            for points in places(item):
+                assert np.isfinite(camera.to_screen(points)).all()
+
+
+@of_surfaces
+@pytest.mark.parametrize("s", [0.0, 1.0, -3.0])
+def test_it_draws_the_smallest_surface(name, s):
+    for camera in cameras():
+        for item in drawn(name, a_surface(2, 2, s), camera):
+            assert all(np.isfinite(rows).all() for rows in places(item))
+
+
+@of_surfaces
+def test_in_the_plane_it_draws_nothing_that_only_space_can_show(name):
+    assert not any(isinstance(i, Mesh | Patch) for i in drawn(name, a_surface()))
 
 
 @every_overlay
@@ -91,11 +128,19 @@ def test_it_draws_the_same_every_time(name):
 
 
 @every_overlay
-def test_its_colors_are_in_every_theme(name):
-    for item in drawn(name, random_curve("bspline")):
+@pytest.mark.parametrize("camera", [CAMERA, IN_SPACE], ids=["plane", "space"])
+def test_its_colors_are_in_every_theme(name, camera):
+    items = drawn(name, random_curve("bspline"), camera) + drawn(name, a_surface(), camera)
+    for item in items:
         for theme in THEMES.values():
             for color in colors(item):
                 assert theme.color(color).startswith("#")
+
+
+@every_overlay
+def test_it_says_what_it_can_be_drawn_of(name):
+    assert overlays[name].takes
+    assert "surface" in overlays[name].takes or not drawn(name, a_surface())
 
 
 @every_overlay
