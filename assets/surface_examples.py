@@ -16,17 +16,19 @@ from plusedit.geometry.arrays import Floats, unit
 from plusedit.geometry.bases.bernstein import Bernstein
 from plusedit.geometry.bases.bspline import BSpline
 from plusedit.geometry.curve import PlusCurve
+from plusedit.geometry.iso_curves import iso_curve
 from plusedit.geometry.lines import ControlLines
 from plusedit.geometry.magnitude import polygon_length
 from plusedit.geometry.making import primitives
 from plusedit.geometry.making.lofting import lofted
 from plusedit.geometry.making.revolution import revolved
+from plusedit.geometry.making.ruled import ruled
 from plusedit.geometry.planes import ControlPlanes
 from plusedit.geometry.surface import PlusSurface
 from plusedit.geometry.surface_magnitude import balanced, natural_length
 
 UP = np.array([0.0, 0.0, 1.0])
-THIN, THICK = Style(None, 1.0), Style(None, 3.0)
+THIN, BROAD, THICK = Style(None, 1.0), Style(None, 2.5), Style(None, 3.0)
 
 NET = (
     (0.0, 0.5, 0.3, 0.0),
@@ -232,22 +234,28 @@ def sail() -> Design:
         (-2.6, 0.0, 0.55), (0.35, 0.5, 0.85), (-0.15, 0.0, 7.2), camber=0.12, roach=0.12, twist=0.5
     )
     spars = {
-        "mast": ((0.0, 0.0, 0.3), (0.0, 0.0, 8.75)),
+        "mast": ((0.0, 0.0, 0.45), (0.0, 0.0, 8.75)),
         "boom": ((0.0, 0.0, 1.0), (3.6, 0.36, 1.05)),
     }
     stays = {
-        "forestay": ((-2.75, 0.0, 0.6), (-0.02, 0.0, 7.4)),
-        "backstay": ((4.1, 0.0, 0.6), (0.0, 0.0, 8.75)),
+        "forestay": ((-2.95, 0.0, 0.7), (-0.02, 0.0, 7.4)),
+        "backstay": ((4.15, 0.0, 0.55), (0.0, 0.0, 8.75)),
     }
-    layers: list[Layer] = [("hull", legible(lofted([frame(*of) for of in FRAMES])), Style())]
+    hull = lofted([frame(*of) for of in FRAMES])
+    port, starboard = (iso_curve(hull, "u", side) for side in (0.0, 1.0))
+    stern = frame(*FRAMES[0])
+    across = curve(stern.lines.points[[0, -1]])
+    bodies = {"hull": hull, "deck": ruled(starboard, port), "transom": ruled(stern, across)}
+    layers: list[Layer] = [(name, legible(body), Style()) for name, body in bodies.items()]
     layers += [(name, curve(ends), THICK) for name, ends in spars.items()]
     layers += [(name, curve(ends), THIN) for name, ends in stays.items()]
     layers += [("mainsail", main, Style()), ("jib", jib, Style())]
     about = (
         "Two sails of 4 x 5 control planes each, Bezier+ across and B-spline+ upwards. Select one"
-        " and change s: the wind freshens. The hull is a loft through five frames."
+        " and change s: the wind freshens. The hull is a loft through five frames; deck and transom"
+        " are ruled surfaces between its edges."
     )
-    return scene(layers, about, Eye((0.5, 0.0, 4.1), 10.4, -0.7, 0.16))
+    return scene(layers, about, Eye((0.5, 0.0, 4.2), 9.8, -0.7, 0.16))
 
 
 def tube() -> Design:
@@ -272,7 +280,7 @@ def torus() -> Design:
         " directions by u alone, which lean out and in by turns."
     )
     made = bulging(plain, 0, unit(points - ring), 1.0)
-    return scene([("torus", made, Style())], about, Eye((0.0, 0.0, -0.1), 5.6, 0.4, 0.75))
+    return scene([("torus", made, Style())], about, Eye((0.0, 0.0, -0.1), 6.1, 0.4, 0.75))
 
 
 def horn() -> Design:
@@ -303,7 +311,7 @@ def loft() -> Design:
         star((1.2, 0.95), 5.0, 1.2),
     ]
     layers: list[Layer] = [("vase", legible(lofted(sections)), Style())]
-    layers += [(f"section {i}", section, Style()) for i, section in enumerate(sections, 1)]
+    layers += [(f"section {i}", section, BROAD) for i, section in enumerate(sections, 1)]
     about = "A loft: one surface through six closed curves, each of which it meets exactly."
     return scene(layers, about, Eye((0.0, 0.0, 2.4), 6.2, 0.6, 0.3))
 
@@ -313,7 +321,7 @@ def goblet() -> Design:
     profile = curve([(r, 0.0, z) for r, z in GLASS])
     layers: list[Layer] = [
         ("goblet", revolved(profile, np.zeros(3), UP), Style()),
-        ("profile", profile, Style(None, 2.5)),
+        ("profile", profile, BROAD),
     ]
     about = (
         "A curve turned about the z-axis: rational, so that every section across is a circle to"
