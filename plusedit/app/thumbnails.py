@@ -10,7 +10,8 @@ from plusedit.document.design import Design
 from plusedit.io.formats import FormatError
 from plusedit.scene.options import options_of, view_tree
 from plusedit.scene.theme import Theme
-from plusedit.views.picture import image_of, sketch_of
+from plusedit.views.picture import image_of
+from plusedit.views.sketch import sketch_of
 
 REDUCED = 2  # pictures are drawn for twice their size, so that lines and dots are finer
 

@@ -2,7 +2,6 @@
 
 import os
 import sys
-from dataclasses import replace
 
 from PySide6.QtCore import QBuffer, QIODevice
 from PySide6.QtGui import QGuiApplication, QImage
@@ -11,8 +10,6 @@ from plusedit.document.design import Design
 from plusedit.machine import is_linux
 from plusedit.scene.camera import Projection
 from plusedit.scene.composition import SIZE, composed
-from plusedit.scene.options import options_of, view_tree
-from plusedit.scene.space_composition import composed_in_space
 from plusedit.scene.theme import LIGHT, Theme
 from plusedit.views.painter import ItemPainter, color_of, painting
 
@@ -31,36 +28,14 @@ def image_of(
     It is seen as the design's own plane view sees it, or in that projection. Without a running
     QGuiApplication there is no text; `png_of` sees to one.
     """
-    image = _blank(size, theme, transparent=transparent, ratio=ratio)
+    image = blank_image(size, theme, transparent=transparent, ratio=ratio)
     picture = composed(design, (float(size[0]), float(size[1])), projection)
     with painting(image) as painter:
         ItemPainter(painter, picture.camera, theme).paint(picture)
     return image
 
 
-def sketch_of(
-    design: Design,
-    size: tuple[int, int] = SIZE,
-    theme: Theme = LIGHT,
-    *,
-    transparent: bool = False,
-    ratio: float = 1.0,
-) -> QImage:
-    """A design in space, framed as `image_of` does it, drawn without OpenGL.
-
-    Surfaces and curves only, for a small picture: what lies behind a surface is covered by other
-    surfaces but not by curves.
-    """
-    bare = replace(options_of(design.view), overlays=frozenset(), handles="none", isolines=False)
-    plain = replace(design, view=view_tree(bare, old=design.view))
-    image = _blank(size, theme, transparent=transparent, ratio=ratio)
-    picture = composed_in_space(plain, (float(size[0]), float(size[1])))
-    with painting(image) as painter:
-        ItemPainter(painter, picture.camera, theme).paint(picture)
-    return image
-
-
-def _blank(size: tuple[int, int], theme: Theme, *, transparent: bool, ratio: float) -> QImage:
+def blank_image(size: tuple[int, int], theme: Theme, *, transparent: bool, ratio: float) -> QImage:
     width, height = round(size[0] * ratio), round(size[1] * ratio)
     image = QImage(width, height, QImage.Format.Format_ARGB32_Premultiplied)
     if image.isNull():

@@ -21,7 +21,7 @@ from plusedit.views.painter import ItemPainter, color_of
 FINEST = 49  # samples each way: enough for a picture of some hundred pixels
 KEY = unit(np.array([-0.45, 0.65, 0.6]))  # the light: to the right, upwards, toward the eye
 AMBIENT, DIFFUSE, SKY = 0.42, 0.5, 0.14  # shares of light; they add up to about one
-SEAM = 0.8  # pixels of outline in the same color: closes the hairlines between neighbors
+SEAM = 1.8  # pixels of outline in the same color: closes the hairlines between neighbors
 
 
 def draw_patches(items: Sequence[Patch | Mesh], to: ItemPainter) -> None:
