@@ -1,6 +1,6 @@
 """The start page: what a plus curve is, examples with pictures, recent files."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -33,7 +33,8 @@ IDEA = (
     "A plus curve blends straight lines, where other curves blend points. "
     "Each control line has a point that pulls the curve and a direction that steers it. "
     "The magnitude s says how much the directions count: at 0 it is the classical Bézier or "
-    "B-spline curve, near ½ L it comes closest to its points."
+    "B-spline curve, near ½ L it comes closest to its points. "
+    "A plus surface blends planes in the same way."
 )
 
 
@@ -88,6 +89,21 @@ def words_of(path: Path) -> str:
     return stem[:1].upper() + stem[1:]
 
 
+SURFACE = b'"kind": "surface"'  # in a file that has one
+
+
+def sections() -> Iterator[tuple[str, list[Path]]]:
+    """The shipped designs: those with surfaces, of curves alone, and the figures of the paper."""
+    found: dict[str, list[Path]] = {"Surfaces": [], "Curves": [], "Figures of the paper": []}
+    for path in example_files():
+        if path.name.startswith("figure"):
+            found["Figures of the paper"].append(path)
+        else:
+            has_surface = SURFACE in path.read_bytes()
+            found["Surfaces" if has_surface else "Curves"].append(path)
+    yield from ((name, paths) for name, paths in found.items() if paths)
+
+
 class StartPage(QScrollArea):
     """What stands in the window while no design is open."""
 
@@ -101,7 +117,10 @@ class StartPage(QScrollArea):
         self._open = open_file
         self._theme: Theme | None = None
         self._waiting: list[Card] = []
-        self._cards = [Card(path, open_file) for path in example_files()]
+        self._sections = [
+            (name, [Card(path, open_file) for path in paths]) for name, paths in sections()
+        ]
+        self._cards = [card for _, cards in self._sections for card in cards]
         self._one_by_one = QTimer(self)
         self._one_by_one.timeout.connect(self._draw_next)
         self._recent = QVBoxLayout()
@@ -168,9 +187,11 @@ class StartPage(QScrollArea):
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(24)
         column.addLayout(self._top(new_curve, ask))
-        column.addWidget(title("Examples"))
-        self._grid = self._examples()
-        column.addLayout(self._grid)
+        self._grids = []
+        for name, _ in self._sections:
+            column.addWidget(title(name))
+            self._grids.append(self._grid())
+            column.addLayout(self._grids[-1])
         column.addStretch(1)
         inside = QWidget()
         inside.setMaximumWidth(WIDEST)
@@ -214,7 +235,7 @@ class StartPage(QScrollArea):
         row.addLayout(self._figure_place, 5)
         return row
 
-    def _examples(self) -> QGridLayout:
+    def _grid(self) -> QGridLayout:
         grid = QGridLayout()
         grid.setSpacing(GAP)
         grid.setColumnStretch(MOST_ACROSS, 1)
@@ -226,5 +247,6 @@ class StartPage(QScrollArea):
         across = max(1, min(MOST_ACROSS, (room + GAP) // (CARD + GAP)))
         if across != self._across:
             self._across = across
-            for number, card in enumerate(self._cards):
-                self._grid.addWidget(card, number // across, number % across)
+            for grid, (_, cards) in zip(self._grids, self._sections, strict=True):
+                for number, card in enumerate(cards):
+                    grid.addWidget(card, number // across, number % across)
