@@ -22,6 +22,12 @@ from plusedit.document.design import Design, EditError
 from plusedit.document.selection import LineId, Selection
 from plusedit.document.shape import ShapeId
 from plusedit.geometry.surface import PlusSurface, Way
+from plusedit.geometry.surface_insertion import (
+    insert_column,
+    insert_row,
+    without_columns,
+    without_rows,
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,8 +60,6 @@ class InsertRow(Command):
 @lru_cache(maxsize=4)
 def inserted(surface: PlusSurface, way: Way, value: float) -> tuple[PlusSurface, int]:
     """The surface with one more row or column, and which; the same objects when asked again."""
-    from plusedit.geometry.surface_insertion import insert_column, insert_row
-
     return insert_row(surface, value) if way == "u" else insert_column(surface, value)
 
 
@@ -146,8 +150,6 @@ def goes_whole(surface: PlusSurface, numbers: tuple[int, ...]) -> bool:
 
 def without(surface: PlusSurface, numbers: tuple[int, ...]) -> PlusSurface:
     """The surface of the rows and columns that stay."""
-    from plusedit.geometry.surface_insertion import without_columns, without_rows
-
     rows, columns = whole_rows(surface.planes.shape, numbers)
     if rows:
         surface = without_rows(surface, rows)

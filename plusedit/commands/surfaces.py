@@ -18,7 +18,9 @@ from plusedit.document.selection import Selection
 from plusedit.document.shape import ShapeId
 from plusedit.geometry.surface import PlusSurface, Way
 from plusedit.geometry.surface_magnitude import balanced
+from plusedit.geometry.surface_passing import passing_through_surface
 from plusedit.geometry.surface_sizes import with_closed, with_family, with_field, with_order
+from plusedit.geometry.surface_tangency import CORNERS, tangent_at_corners, tangent_to_planes
 from plusedit.geometry.surface_transforms import (
     reversed_numbers,
     reversed_surface,
@@ -39,6 +41,7 @@ __all__ = [
     "SetBasisFieldOf",
     "SetClosedOf",
     "TangentCorners",
+    "TangentToCornerPlanes",
     "Transpose",
 ]
 
@@ -193,9 +196,22 @@ class TangentCorners(Command):
         return of_surfaces(self.ids, "Make corners tangent of")
 
     def apply(self, design: Design) -> Design:
-        from plusedit.geometry.surface_tangency import tangent_at_corners
-
         return edit_surfaces(design, self.ids, lambda _, surface: tangent_at_corners(surface))
+
+
+@dataclass(frozen=True, eq=False)
+class TangentToCornerPlanes(Command):
+    """Let surfaces touch the control planes at their corners."""
+
+    ids: Ids
+
+    @property
+    def label(self) -> str:
+        return of_surfaces(self.ids, "Touch corner planes of")
+
+    def apply(self, design: Design) -> Design:
+        own = dict.fromkeys(CORNERS)
+        return edit_surfaces(design, self.ids, lambda _, surface: tangent_to_planes(surface, own))
 
 
 @dataclass(frozen=True, eq=False)
@@ -209,8 +225,6 @@ class PassThroughSurface(Command):
         return of_surfaces(self.ids, "Pass through the points of")
 
     def apply(self, design: Design) -> Design:
-        from plusedit.geometry.surface_passing import passing_through_surface
-
         return edit_surfaces(design, self.ids, lambda _, surface: passing_through_surface(surface))
 
 

@@ -17,6 +17,7 @@ from plusedit.commands.surfaces import (
     ReverseWay,
     SetClosedOf,
     TangentCorners,
+    TangentToCornerPlanes,
     Transpose,
 )
 from plusedit.document.design import EditError
@@ -134,7 +135,18 @@ def _with_surfaces(make: Callable[[Ids], Command]) -> Callable[[Stage], Outcome]
 def _whole() -> Iterator[EditAction]:
     yield EditAction("transpose", "Swap u and v", (), MENU, _with_surfaces(Transpose))
     yield EditAction(
-        "tangent_corners", "Make tangent at the corners", (), MENU, _with_surfaces(TangentCorners)
+        "tangent_corners",
+        "Make tangent to the net at the corners",
+        (),
+        MENU,
+        _with_surfaces(TangentCorners),
+    )
+    yield EditAction(
+        "tangent_planes",
+        "Make tangent to the corner planes",
+        (),
+        MENU,
+        _with_surfaces(TangentToCornerPlanes),
     )
     yield EditAction(
         "pass_through_surface",

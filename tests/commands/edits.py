@@ -57,6 +57,7 @@ from plusedit.commands.surfaces import (
     SetBasisFieldOf,
     SetClosedOf,
     TangentCorners,
+    TangentToCornerPlanes,
     Transpose,
 )
 from plusedit.document.shape import Style
@@ -137,6 +138,7 @@ SURFACE_EDITS = {
     "Close surface along u": SetClosedOf((A,), "u", True),
     "Set knots along v of surface": SetBasisFieldOf((A,), "v", "knots", [0] * 4 + [0.3] + [1] * 4),
     "Make corners tangent of surface": TangentCorners((A,)),
+    "Touch corner planes of surface": TangentToCornerPlanes((A,)),
     "Pass through the points of surface": PassThroughSurface((A,)),
     "Balance u and v of surface": Balance((A,)),
     "Extract curve of constant u": ExtractCurve(A, "u", 0.25),

@@ -18,6 +18,7 @@ from plusedit.commands.surfaces import (
     SetBasisFieldOf,
     SetClosedOf,
     TangentCorners,
+    TangentToCornerPlanes,
     Transpose,
 )
 from plusedit.document.design import EditError
@@ -186,6 +187,13 @@ def test_corners_become_tangent_to_the_net():
         (along_v, points[0, 1] - points[0, 0]),
     ):
         assert_allclose(np.cross(way[0, 0], edge), 0.0, atol=1e-9)
+
+
+def test_a_surface_touches_its_corner_planes():
+    surface = after(TangentToCornerPlanes((A,)))
+    normal = np.cross(*surface.directions[:, 0, 0])
+    _, along_u, along_v = surface.derivatives([0.0], [0.0], highest=1)
+    assert_allclose([along_u[0, 0] @ normal, along_v[0, 0] @ normal], 0.0, atol=1e-9)
 
 
 def test_a_surface_passes_through_its_points():
