@@ -114,7 +114,7 @@ def export_design(
                     meshes.append(_mesh(shape, shape.surface, length, entry))
         entry.write(stream, meshes, strands)
     points = sum(len(strand.points) for strand in strands) + sum(map(len, meshes))
-    faces = sum(sum(mesh.face_counts) for mesh in meshes)
+    faces = sum(sum(m.face_counts) if entry.has_quads else m.triangle_count for m in meshes)
     return Report(len(meshes), len(strands), points, faces, length, left_out)
 
 

@@ -13,6 +13,7 @@ from plusedit.io.exporting import USUAL, Report, Tolerance, export_design, expor
 from plusedit.io.formats import FormatError
 from tests.designs import a_curve
 from tests.geometry.surfaces import a_surface
+from tests.io.mesh_files import READERS
 
 DESIGN = Design(
     {
@@ -116,6 +117,13 @@ def test_the_size_is_the_diagonal_of_all_that_is_written(tmp_path):
     design = design.with_shape("b", Shape(long, "b"))
     assert export_design(design, tmp_path / "out.obj").tolerance > 0.0005 * 400
     assert export_design(design, tmp_path / "out.stl").tolerance == pytest.approx(0.0005 * 5.0)
+
+
+@pytest.mark.parametrize("suffix", READERS)
+def test_as_many_faces_are_told_as_are_written(tmp_path, suffix):
+    report = export_design(DESIGN, tmp_path / f"out.{suffix}", ["sail"])
+    [part] = READERS[suffix]((tmp_path / f"out.{suffix}").read_bytes())
+    assert report.faces == len(part.faces)
 
 
 def test_a_report_is_a_sentence():

@@ -26,6 +26,11 @@ class Export(Protocol):
         ...
 
     @property
+    def has_quads(self) -> bool:
+        """Whether faces of four corners are written as such; if not, each becomes two."""
+        ...
+
+    @property
     def numbers(self) -> Any:
         """The kind of number in which the file says points, such as numpy.float32."""
         ...

@@ -30,6 +30,7 @@ class BinaryGltf:
     title = "Binary glTF"
     suffixes = (".glb",)
     has_curves = False
+    has_quads = False
     numbers = np.float32
 
     def write(

@@ -19,6 +19,7 @@ class WavefrontObj:
     title = "Wavefront OBJ"
     suffixes = (".obj",)
     has_curves = True
+    has_quads = True
     numbers = np.float64
 
     def write(

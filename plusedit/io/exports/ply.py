@@ -15,11 +15,15 @@ MOST = 2**31 - 1  # numbers of points are signed, of four bytes
 
 
 class StanfordPly:
-    """All surfaces as one mesh of quads and triangles, numbers least byte first."""
+    """All surfaces as one mesh of triangles, numbers least byte first.
+
+    Quads could stand among them, but many readers expect all faces to be of one kind.
+    """
 
     title = "Stanford PLY"
     suffixes = (".ply",)
     has_curves = False
+    has_quads = False
     numbers = np.float32
 
     def write(
@@ -29,7 +33,7 @@ class StanfordPly:
         points = sum(map(len, meshes))
         if points > MOST:
             raise FormatError(f"a PLY file holds up to {MOST} points, not {points}")
-        stream.write(_header(points, sum(sum(mesh.face_counts) for mesh in meshes)))
+        stream.write(_header(points, sum(mesh.triangle_count for mesh in meshes)))
         for mesh in meshes:
             for rows in mesh.blocks():
                 parts = (mesh.points[rows], mesh.normals[rows], mesh.parameters(rows))
@@ -37,8 +41,7 @@ class StanfordPly:
         first = 0
         for mesh in meshes:
             for faces in mesh.faces():
-                for corners in (faces.quads, faces.triangles):
-                    stream.write(_lists(corners + first))
+                stream.write(_lists(faces.cut() + first))
             first += len(mesh)
 
 
@@ -52,9 +55,8 @@ def _header(points: int, faces: int) -> bytes:
     return "".join(f"{line}\n" for line in lines).encode()
 
 
-def _lists(corners: Numbers) -> bytes:
-    """Of every face how many corners it has, and their numbers."""
-    sides = corners.shape[1]
-    lists = np.empty(len(corners), dtype=[("count", "u1"), ("corners", "<i4", (sides,))])
-    lists["count"], lists["corners"] = sides, corners
+def _lists(triangles: Numbers) -> bytes:
+    """Of every triangle how many corners it has, and their numbers."""
+    lists = np.empty(len(triangles), dtype=[("count", "u1"), ("corners", "<i4", 3)])
+    lists["count"], lists["corners"] = 3, triangles
     return lists.tobytes()

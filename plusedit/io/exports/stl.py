@@ -22,6 +22,7 @@ class BinaryStl:
     title = "STL"
     suffixes = (".stl",)
     has_curves = False
+    has_quads = False
     numbers = np.float32
 
     def write(
