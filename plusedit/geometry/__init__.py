@@ -1,4 +1,4 @@
-"""Plus curves as a library: immutable values and pure functions on numpy arrays.
+"""Plus curves and surfaces as a library: immutable values and pure functions on numpy arrays.
 
     from plusedit.geometry import BSpline, ControlLines, PlusCurve, best_s, elevated
 
@@ -16,12 +16,23 @@ the magnitude s. What can be asked of it and done to it lies in a module for eac
     frames, inflections, length    curvature, where it changes its sign, arc length
     nearest, tessellate            the nearest point, a grid fine enough to draw
     fitting                        a curve through dense points to a tolerance
+
+A surface is a `PlusSurface`: a basis by u and one by v, `ControlPlanes` and s. Its modules are
+
+    surface_elevation, iso_curves  its standard form; curves on it, as plus curves
+    corner_nets, convex_hull       what encloses it, and convex bodies in space
+    surface_insertion, _sizes      rows and columns more or fewer, other bases
+    surface_transforms             moved and turned; u and v swapped or run backwards
+    surface_magnitude              the natural lengths, the best s, one s that suits both ways
+    surface_tangency, _passing     tangent at the corners, through its control points
 """
 
 from plusedit.geometry.bases.bernstein import Bernstein
 from plusedit.geometry.bases.bspline import BSpline
 from plusedit.geometry.bases.rag import RationalGaussian
 from plusedit.geometry.blend import Grid
+from plusedit.geometry.convex_hull import HullMesh, hull_mesh
+from plusedit.geometry.corner_nets import corner_hull, corner_nets
 from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.elevation import StandardCurve, elevated
 from plusedit.geometry.fitting import fit_bspline_plus
@@ -29,17 +40,39 @@ from plusedit.geometry.frames import curvature_at
 from plusedit.geometry.hulls import elevated_hull, parents, span_hulls, union_hull
 from plusedit.geometry.inflections import inflections
 from plusedit.geometry.insertion import insert_line, with_basis
+from plusedit.geometry.iso_curves import boundary_curves, iso_curve
 from plusedit.geometry.length import arc_length
 from plusedit.geometry.lines import ControlLines
 from plusedit.geometry.magnitude import best_s, polygon_length
-from plusedit.geometry.nearest import nearest_parameter, nearest_parameters
+from plusedit.geometry.nearest import nearest_parameter, nearest_parameters, nearest_to_ray
 from plusedit.geometry.passing import passing_through
+from plusedit.geometry.planes import ControlPlanes
 from plusedit.geometry.standard import (
     elliptic_arc,
     from_bezier,
     from_bezier_path,
     from_rational_quadratic,
     from_rational_quadratic_path,
+)
+from plusedit.geometry.surface import PlusSurface
+from plusedit.geometry.surface_elevation import StandardSurface, elevated_surface
+from plusedit.geometry.surface_insertion import insert_column, insert_row
+from plusedit.geometry.surface_magnitude import (
+    balanced,
+    best_surface_s,
+    natural_length,
+    natural_lengths,
+)
+from plusedit.geometry.surface_passing import passing_through_surface
+from plusedit.geometry.surface_tangency import (
+    tangent_at_corners,
+    tangent_to_plane,
+    tangent_to_planes,
+)
+from plusedit.geometry.surface_transforms import (
+    reversed_surface,
+    transformed_surface,
+    transposed,
 )
 from plusedit.geometry.tangency import closed_smoothly, tangent_at_ends
 from plusedit.geometry.tessellate import tessellation
@@ -49,34 +82,58 @@ __all__ = [
     "BSpline",
     "Bernstein",
     "ControlLines",
+    "ControlPlanes",
     "Grid",
+    "HullMesh",
     "PlusCurve",
+    "PlusSurface",
     "RationalGaussian",
     "StandardCurve",
+    "StandardSurface",
     "arc_length",
+    "balanced",
     "best_s",
+    "best_surface_s",
+    "boundary_curves",
     "closed_smoothly",
+    "corner_hull",
+    "corner_nets",
     "curvature_at",
     "elevated",
     "elevated_hull",
+    "elevated_surface",
     "elliptic_arc",
     "fit_bspline_plus",
     "from_bezier",
     "from_bezier_path",
     "from_rational_quadratic",
     "from_rational_quadratic_path",
+    "hull_mesh",
     "inflections",
+    "insert_column",
     "insert_line",
+    "insert_row",
+    "iso_curve",
+    "natural_length",
+    "natural_lengths",
     "nearest_parameter",
     "nearest_parameters",
+    "nearest_to_ray",
     "parents",
     "passing_through",
+    "passing_through_surface",
     "polygon_length",
     "reversed_curve",
+    "reversed_surface",
     "span_hulls",
+    "tangent_at_corners",
     "tangent_at_ends",
+    "tangent_to_plane",
+    "tangent_to_planes",
     "tessellation",
     "transformed",
+    "transformed_surface",
+    "transposed",
     "union_hull",
     "with_basis",
 ]

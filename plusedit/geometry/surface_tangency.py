@@ -42,19 +42,18 @@ def tangent_at_corners(
 
     At each of `corners`, along each of `ways`, the edge of the surface touches that of the
     control net, and runs forwards at a tenth of the classical speed at least. Each time the
-    gradient of one neighboring plane changes, as little as does. It takes 4 planes along
-    a way to make both of its ends tangent, 3 for one of them.
+    gradient of one neighboring plane changes, as little as does. With 3 planes along a way the
+    middle one has to serve both corners, which it can only where the gradients at the corners lie
+    in one plane with the edges, as automatic ones do.
 
     Raises ValueError, in a sentence for people, where the surface can't be made so.
     """
     _check(surface)
     wanted = tuple(ways)
-    places = [_place(surface, corner, way) for corner in corners for way in wanted]
-    gradients = {}
     for way in wanted:
-        _check_rows(places, way, surface.planes.shape[WAYS.index(way)])
-    for place in places:
-        gradients[place.key] = _along_edge(place)
+        _check_rows(way, surface.planes.shape[WAYS.index(way)])
+    places = [_place(surface, corner, way) for corner in corners for way in wanted]
+    gradients = {key: _along_edges(beside) for key, beside in _by_plane(places)}
     return _with_gradients(surface, gradients)
 
 
@@ -78,14 +77,14 @@ def tangent_to_planes(
     Raises ValueError, in a sentence for people, where the surface can't be made so.
     """
     _check(surface)
+    for way, count in zip(WAYS, surface.planes.shape, strict=True):
+        _check_rows(way, count)
     square = {corner: _normal(surface, corner, normal) for corner, normal in normals.items()}
     places = [_place(surface, corner, way) for corner in square for way in WAYS]
-    if min(surface.planes.shape) < 3:
-        raise ValueError("Tangency at a corner needs at least 3 x 3 control planes.")
-    gradients = {}
-    for key, shared in groupby(sorted(places, key=lambda place: place.key), lambda p: p.key):
-        beside = list(shared)
-        gradients[key] = _in_planes(beside, [square[place.corner] for place in beside])
+    gradients = {
+        key: _in_planes(beside, [square[place.corner] for place in beside])
+        for key, beside in _by_plane(places)
+    }
     return _with_gradients(surface, gradients)
 
 
@@ -144,18 +143,55 @@ def _place(surface: PlusSurface, corner: Corner, way: Way) -> _Place:
     )
 
 
-def _along_edge(place: _Place) -> Floats:
-    """The gradient of the neighboring plane for which the surface leaves along the edge."""
-    square = float(place.edge @ place.edge)
-    if square == 0.0:
-        raise ValueError(
-            f"At a corner the two control points along {place.way} lie in one place; "
-            "there the control net has no edge to be tangent to."
-        )
-    start = place.gradient / place.ratio
-    least = float((place.neighbor - start) @ place.edge) / square
-    gradient: Floats = start + min(least, (1.0 - SLOWEST) / place.gap) * place.edge
+def _by_plane(places: list[_Place]) -> list[tuple[Key, list[_Place]]]:
+    """The places grouped by the plane beside them: one or two to each."""
+    ordered = sorted(places, key=lambda place: place.key)
+    return [(key, list(beside)) for key, beside in groupby(ordered, lambda place: place.key)]
+
+
+def _along_edges(places: list[_Place]) -> Floats:
+    """The gradient of one plane for which the surface leaves those corners along the edges."""
+    for place in places:
+        if not place.edge.any():
+            raise ValueError(
+                f"At a corner the two control points along {place.way} lie in one place; "
+                "there the control net has no edge to be tangent to."
+            )
+    headings = [unit(place.edge) for place in places]
+    starts = [place.gradient / place.ratio for place in places]
+    gradient = _nearest_on_lines(places, starts, headings)
+    heading, low, high = headings[0], -np.inf, np.inf
+    for place, start, other in zip(places, starts, headings, strict=True):
+        fastest = float(start @ other + (1.0 - SLOWEST) * np.linalg.norm(place.edge) / place.gap)
+        low, high = (low, min(high, fastest)) if other @ heading > 0.0 else (-fastest, high)
+    if np.linalg.norm(np.cross(headings[0], headings[-1])) < ALIKE:
+        along = float(gradient @ heading)
+        gradient = gradient + (min(max(along, low), high) - along) * heading
+    after = [replace(place, neighbor=gradient) for place in places]
+    if any(place.velocity @ place.edge <= 0.0 for place in after):
+        raise _shared(places[0].way, "the surface would run backwards at one of them")
     return gradient
+
+
+def _nearest_on_lines(places: list[_Place], starts: list[Floats], headings: list[Floats]) -> Floats:
+    """The point on one line, or on both of two, nearest to the gradient there is."""
+    now = places[0].neighbor
+    squares = [np.eye(3) - np.outer(heading, heading) for heading in headings]
+    missing = [square @ (start - now) for square, start in zip(squares, starts, strict=True)]
+    across, wanted = np.concatenate(squares), np.concatenate(missing)
+    change = np.linalg.lstsq(across, wanted, rcond=ALIKE)[0]
+    size = sum(float(np.linalg.norm(place.free)) for place in places) + np.linalg.norm(now)
+    if np.linalg.norm(across @ change - wanted) > ALIKE * size:
+        raise _shared(places[0].way, "their gradients do not lie in one plane with the edges")
+    found: Floats = now + change
+    return found
+
+
+def _shared(way: Way, why: str) -> ValueError:
+    return ValueError(
+        f"With 3 control planes along {way} two corners share the middle one, which can't serve "
+        f"both: {why}. Insert one more first."
+    )
 
 
 def _in_planes(places: list[_Place], normals: list[Floats]) -> Floats:
@@ -184,10 +220,7 @@ def _agreed(rows: Floats, lacking: list[float], places: list[_Place]) -> list[fl
     same = float(rows[0] @ rows[1]) * lacking[1]
     size = max(np.linalg.norm(place.free) + np.linalg.norm(place.neighbor) for place in places)
     if abs(same - lacking[0]) > STANDS * size:
-        raise ValueError(
-            f"With 3 control planes along {places[0].way} two corners share the middle one, and "
-            "these two parallel planes ask for different things of it; insert a row first."
-        )
+        raise _shared(places[0].way, "the two parallel planes ask for different things of it")
     return lacking[:1]
 
 
@@ -229,12 +262,10 @@ def _check(surface: PlusSurface) -> None:
         raise ValueError("With s = 0 control planes have no effect; set s first.")
 
 
-def _check_rows(places: list[_Place], way: Way, count: int) -> None:
-    """Whether each corner has a neighboring plane of its own along that way."""
-    keys = [place.key for place in places if place.way == way]
-    if keys and (count < 3 or len(set(keys)) < len(keys)):
-        needed = 3 if count < 3 and len(keys) == 1 else 4
+def _check_rows(way: Way, count: int) -> None:
+    """Whether corners have neighboring planes that are no corners themselves."""
+    if count < 3:
         raise ValueError(
-            f"Tangency at the corners needs at least {needed} control planes along {way}: each "
-            f"corner turns the plane beside it. There are {count}."
+            f"Tangency at the corners needs at least 3 control planes along {way}: each corner "
+            f"turns the plane beside it. There are {count}."
         )

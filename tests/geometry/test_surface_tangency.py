@@ -71,20 +71,11 @@ def test_one_corner_and_one_way_turn_one_gradient(corner, way):
 
 @every_corner
 def test_no_smaller_change_makes_it_tangent(corner):
-    surface = surface_of(("bspline", "bezier"), seed=3)
+    surface = a_surface(5, 5, s=1.5)
     made = tangent_at_corners(surface, [corner], ["u"])
-    least = np.linalg.norm(made.gradients - surface.gradients)
-    place = np.unravel_index(np.abs(made.gradients - surface.gradients).argmax(), (2, 7, 6, 3))[:3]
-    edge = edges(surface, corner)[0]
-    for more in (-0.2, -0.01, 0.01, 0.2):
-        gradients = made.gradients.copy()
-        gradients[place] += more * edge
-        other = surface.with_net(surface.planes.with_directions(gradients / surface.s))
-        assert np.linalg.norm(np.cross(tangents(other, corner)[0], edge)) < 1e-9
-        if tangents(other, corner)[0] @ edge > 0.1 * np.linalg.norm(
-            tangents(surface.classical, corner)[0]
-        ) * np.linalg.norm(edge):
-            assert np.linalg.norm(gradients - surface.gradients) >= least
+    change = (made.gradients - surface.gradients).reshape(-1, 3)
+    (changed,) = change[np.abs(change).max(axis=1) > 0.0]
+    assert abs(changed @ edges(surface, corner)[0]) < 1e-12
 
 
 def test_a_corner_that_would_run_backwards_is_slowed_down_instead():
@@ -162,7 +153,7 @@ def test_a_plane_square_to_the_surface_is_refused():
         (random_surface("bezier", "closed rag"), "closes along v has no corners"),
         (random_surface("bezier", "rag"), "Along v the surface is rational Gaussian"),
         (a_surface(4, 4, s=0.0), "With s = 0"),
-        (a_surface(2, 4), "at least [34]"),
+        (a_surface(2, 4), "at least 3 control planes along u"),
     ],
 )
 def test_surfaces_without_such_corners_are_refused_in_a_sentence(make, surface, sentence):
@@ -170,9 +161,24 @@ def test_surfaces_without_such_corners_are_refused_in_a_sentence(make, surface, 
         make(surface)
 
 
-def test_both_ends_of_a_way_need_4_planes_and_one_end_3():
-    surface = a_surface(3, 4)
-    with pytest.raises(ValueError, match="at least 4 control planes along u"):
+@weighted_or_not
+@pytest.mark.parametrize("straight", [False, True])
+def test_of_3_x_3_planes_with_automatic_directions_each_middle_one_serves_two_corners(
+    contrast, straight
+):
+    surface = surface_of(("bezier", "bspline"), contrast, shape=(3, 3))
+    sheet = a_surface(3, 3)
+    points = sheet.planes.points * [1.0, 1.0, 0.0 if straight else 1.0]
+    surface = surface.with_net(sheet.planes.with_points(points))
+    made = tangent_at_corners(surface)
+    for corner in CORNERS:
+        for tangent, edge in zip(tangents(made, corner), edges(made, corner), strict=True):
+            assert_along(tangent, edge)
+
+
+def test_of_3_planes_the_middle_one_can_not_serve_any_two_corners():
+    surface = surface_of(("bezier", "bspline"), shape=(3, 5))
+    with pytest.raises(ValueError, match="share the middle one"):
         tangent_at_corners(surface)
     made = tangent_at_corners(surface, [(0, 0), (0, 1)])
     assert_along(tangents(made, (0, 1))[0], edges(made, (0, 1))[0])
