@@ -1,6 +1,6 @@
 """The menu bar and the context menu, made from the table of actions."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from pathlib import Path
 
 from PySide6.QtWidgets import QMenu, QMenuBar, QWidget
@@ -19,13 +19,21 @@ ORDER = (
     "Window",
     "Help",
 )
+ANY, CURVES, SURFACES = "any", "curves", "surfaces"
 IN_CONTEXT = (
-    ("cut", "copy", "paste", "edit.duplicate", "edit.delete"),
-    ("edit.reset_directions", "edit.reverse_directions", "edit.reverse_curve"),
-    ("edit.close_curve", "edit.open_curve", "edit.close_smoothly", "edit.pass_through"),
-    ("edit.hide", "edit.lock", "edit.to_front", "edit.to_back"),
-    ("frame_selected", "frame_all"),
+    (ANY, ("cut", "copy", "paste", "edit.duplicate", "edit.delete")),
+    (ANY, ("edit.reset_directions", "edit.reverse_directions")),
+    (CURVES, ("edit.reverse_curve", "edit.close_curve", "edit.open_curve")),
+    (CURVES, ("edit.close_smoothly", "edit.pass_through")),
+    (CURVES, ("edit.extrude", "edit.revolve_upright", "edit.rule", "edit.loft", "edit.fill")),
+    (SURFACES, ("edit.select_row", "edit.select_column")),
+    (SURFACES, ("edit.insert_row", "edit.insert_column", "edit.transpose")),
+    (SURFACES, ("edit.pass_through_surface", "edit.tangent_corners", "edit.balance")),
+    (SURFACES, ("edit.extract_boundary", "edit.extract_u", "edit.extract_v")),
+    (ANY, ("edit.hide", "edit.lock", "edit.to_front", "edit.to_back")),
+    (ANY, ("frame_selected", "frame_all")),
 )
+"""Groups of the context menu, and of what they speak."""
 
 
 def fill(bar: QMenuBar, table: ActionTable) -> dict[str, QMenu]:
@@ -78,10 +86,12 @@ def fill_recent(menu: QMenu, paths: list[Path], open_file: Callable[[Path], obje
         action.triggered.connect(lambda _=False, path=path: open_file(path))
 
 
-def context_menu(table: ActionTable, parent: QWidget) -> QMenu:
-    """The menu of a right click in the view."""
+def context_menu(table: ActionTable, parent: QWidget, kinds: Collection[str] = ()) -> QMenu:
+    """The menu of a right click in the view, where shapes of those kinds are selected."""
     menu = QMenu(parent)
-    for group in IN_CONTEXT:
+    for kind, group in IN_CONTEXT:
+        if kind != ANY and kind not in kinds:
+            continue
         for name in group:
             if name in table:
                 table.show_icon(name)

@@ -40,6 +40,7 @@ from plusedit.app.status import Status
 from plusedit.app.toolbar import make_toolbar
 from plusedit.app.view_state import ViewState, look_of_program
 from plusedit.document.session import Session
+from plusedit.geometry.surface import PlusSurface
 from plusedit.views.canvas import PlaneCanvas
 from plusedit.views.desk import Desk
 from plusedit.views.fields import Field
@@ -243,7 +244,7 @@ class MainWindow(QMainWindow):
 
     def _show_context_menu(self, at: QPoint) -> None:
         self.actions_table.refresh()
-        menu = menus.context_menu(self.actions_table, self)
+        menu = menus.context_menu(self.actions_table, self, self._selected_kinds())
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         menu.popup(at)
 
@@ -254,6 +255,13 @@ class MainWindow(QMainWindow):
         is_typing = isinstance(focus, TYPED_INTO) and not is_done
         if focus is not None and focus.window() is self and not is_typing:
             self.panes.active.setFocus(Qt.FocusReason.MouseFocusReason)
+
+    def _selected_kinds(self) -> list[str]:
+        """What the context menu is to speak of; of curves where nothing is selected."""
+        chosen = self.desk.selected_shapes().values()
+        has_surfaces = any(isinstance(geometry, PlusSurface) for geometry in chosen)
+        has_curves = len(self.desk.selected_curves()) > 0
+        return [menus.SURFACES] * has_surfaces + [menus.CURVES] * (has_curves or not has_surfaces)
 
     # What Qt tells
 

@@ -250,7 +250,10 @@ def test_the_context_menu_has_what_can_be_done_here(filled):
     from plusedit.app.menus import context_menu
 
     filled.canvas.context_menu_requested.emit(filled.canvas.rect().center())
-    names = {action.objectName() for action in context_menu(filled.actions_table, filled).actions()}
+    names = {
+        action.objectName()
+        for action in context_menu(filled.actions_table, filled, ["curves"]).actions()
+    }
     assert {"cut", "paste", "edit.delete", "edit.pass_through", "frame_all"} <= names
     popup = QApplication.activePopupWidget()
     assert popup is not None
