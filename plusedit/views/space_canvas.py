@@ -25,6 +25,7 @@ from plusedit.views.editing import MARGIN, Editing
 from plusedit.views.gl.artist import Look, SpaceArtist
 from plusedit.views.gl.context import current_functions
 from plusedit.views.gl.functions import Functions, OpenGLError
+from plusedit.views.gl.half_size import HalfSize
 from plusedit.views.gl.tripod import axis_under
 from plusedit.views.opengl import is_software
 from plusedit.views.pointer import pointer_of
@@ -43,8 +44,7 @@ class SpaceCanvas(Editing[SpaceCamera], SpaceView):
 
     def __init__(self, session: Session, gestures: Gestures, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._gl: Functions | None = None
-        self._artist: SpaceArtist | None = None
+        self._drawn: _Drawn | None = None
         self._problem = ""
         """why nothing can be drawn"""
         self._seconds = 0.0
@@ -82,35 +82,45 @@ class SpaceCanvas(Editing[SpaceCamera], SpaceView):
             self._session.selection,
             draft=is_draft,
         )
+        try:
+            self._draw_layers(is_draft)
+        except OpenGLError as error:
+            self._problem = str(error)
+        if not is_draft:
+            self._seconds = perf_counter() - start
+
+    def _draw_layers(self, is_draft: bool) -> None:
+        drawn = self._drawn = self._drawn or _Drawn(current_functions())
         look = Look(
             ground=self._options.ground,
             axes=True,
             hovered=self._hovered,
             shading=self._options.shading,
         )
-        try:
-            gl, artist = self._made()
-            ratio = self.devicePixelRatioF()
-            artist.paint(self._layers, self.camera, self._theme.legible(), look, ratio=ratio)
-            if is_software():
-                gl.Finish()
-        except OpenGLError as error:
-            self._problem = str(error)
-        if not is_draft:
-            self._seconds = perf_counter() - start
+        ratio = self.devicePixelRatioF()
 
-    def _made(self) -> tuple[Functions, SpaceArtist]:
-        if self._gl is None or self._artist is None:
-            self._gl = current_functions()
-            self._artist = SpaceArtist(self._gl)
-        return self._gl, self._artist
+        def paint(ratio: float) -> None:
+            theme = self._theme.legible()
+            drawn.artist.paint(self._layers, self.camera, theme, look, ratio=ratio)
+
+        if not is_software():
+            paint(ratio)
+            return
+        if is_draft:
+            size = round(self.width() * ratio), round(self.height() * ratio)
+            drawn.half_size.draw(lambda: paint(ratio / 2.0), *size)
+        else:
+            paint(ratio)
+        # Else the time it takes would be counted as somebody else's.
+        drawn.gl.Finish()
 
     def _forget_context(self) -> None:
-        if self._artist is not None:
+        if self._drawn is not None:
             self.makeCurrent()
-            self._artist.release()
+            self._drawn.artist.release()
+            self._drawn.half_size.release()
             self.doneCurrent()
-        self._gl = self._artist = None
+        self._drawn = None
 
     def update(self, *region: Any) -> None:
         super().update(*region)
@@ -228,3 +238,12 @@ class _Drawing(GLGraphicsItem):  # type: ignore[misc]
 
     def paint(self) -> None:
         self._canvas.draw()
+
+
+class _Drawn:
+    """What belongs to one context of OpenGL."""
+
+    def __init__(self, gl: Functions) -> None:
+        self.gl = gl
+        self.artist = SpaceArtist(gl)
+        self.half_size = HalfSize(gl)

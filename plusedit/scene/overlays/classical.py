@@ -31,8 +31,8 @@ def classical_surface(shape: Shape, surface: PlusSurface, camera: Camera) -> Ite
     """Thin lines at the nodes and along the edges; nothing at s = 0, where it is the surface."""
     if surface.s == 0.0:
         return
-    ghost = surface.classical
-    lines = isolines(ghost, surface_grids(ghost, camera))
+    # As fine as the surface itself: they are near each other, and it is worked out already.
+    lines = isolines(surface.classical, surface_grids(surface, camera))
     for points in (*lines.along_u, *lines.along_v):
         yield Polyline(points, "classical@50", 1.0)
     for points in lines.edges:

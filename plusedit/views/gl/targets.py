@@ -43,6 +43,16 @@ class Target:
         gl.ReadPixels(0, 0, *size, names.RGBA, names.UNSIGNED_BYTE, address(pixels))
         return pixels[::-1]
 
+    def spread(self, framebuffer: int, width: int, height: int) -> None:
+        """Show it in another framebuffer, as large as that; draw there from now on."""
+        gl = self._gl
+        gl.BindFramebuffer(names.READ_FRAMEBUFFER, self._drawn)
+        gl.BindFramebuffer(names.DRAW_FRAMEBUFFER, framebuffer)
+        corners = 0, 0, self.width, self.height, 0, 0, width, height
+        gl.BlitFramebuffer(*corners, names.COLOR_BUFFER_BIT, names.LINEAR)
+        gl.BindFramebuffer(names.FRAMEBUFFER, framebuffer)
+        gl.Viewport(0, 0, width, height)
+
     def release(self) -> None:
         """Free it; what was bound is no longer."""
         gl = self._gl
