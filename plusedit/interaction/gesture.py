@@ -14,7 +14,7 @@ from plusedit.document.selection import Selection
 from plusedit.document.session import Session
 from plusedit.events import Event
 from plusedit.interaction.modal import modal_drags
-from plusedit.interaction.running import Running, means_something
+from plusedit.interaction.running import USUAL_REACH, Running, means_something
 from plusedit.interaction.tool import (
     Drag,
     Feedback,
@@ -53,6 +53,7 @@ class Gestures:
         self._pressed: Pointer | None = None
         self._running: Running | None = None
         self._pointer: Pointer | None = None
+        self._reach = USUAL_REACH
         session.changed.listen(lambda old, new: self._look_again())
         session.selected.listen(lambda old, new: self._look_again())
 
@@ -151,7 +152,7 @@ class Gestures:
         if not self.takes(key, held):
             return False
         if self._running is not None:
-            self._key_of_drag(self._running, key)
+            self._key_of_drag(self._running, key, held)
         elif self._pressed is not None:
             if key == "Escape":
                 self._pressed = None
@@ -160,6 +161,14 @@ class Gestures:
         else:
             self.perform_by(lambda: self._tool.key(key, self.stage()))
             self._look_again()
+        return True
+
+    def wheel(self, notches: float) -> bool:
+        """The wheel was turned, away from the hand if positive; true if it was meant for a drag."""
+        running = self._running
+        if running is None or not running.widen(notches):
+            return False
+        self._follow(running.pointer)
         return True
 
     # What a window asks for
@@ -239,7 +248,7 @@ class Gestures:
         except EditError as error:
             self.feedback.emit(Feedback(error=str(error)))
             return
-        self._running = Running(drag, stage, modal, at, stage.selection)
+        self._running = Running(drag, stage, modal, at, stage.selection, self._reach)
         self._show(self._running, first)
 
     def _follow(self, to: Pointer) -> None:
@@ -282,18 +291,19 @@ class Gestures:
         if running is None:
             return
         running.drag.close()
+        self._reach = running.reach
         if running.command is None:
             self._session.abort()
         else:
             self._session.commit(running.command)
         self._look_again()
 
-    def _key_of_drag(self, running: Running, key: str) -> None:
+    def _key_of_drag(self, running: Running, key: str, held: Held) -> None:
         if key == "Escape":
             self.cancel()
         elif key == "Enter":
             self._finish()
-        elif running.takes(key):
+        elif running.takes(key, held):
             self._follow(running.pointer)
 
     def _look_again(self) -> None:

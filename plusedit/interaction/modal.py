@@ -1,31 +1,43 @@
 """Drags begun by a key: move, turn or scale what is selected, about its centroid."""
 
 from collections.abc import Callable, Mapping
-from math import degrees, hypot, radians
+from math import degrees, hypot
 
 import numpy as np
 
-from plusedit.commands.base import Targets, fitted
+from plusedit.commands.base import Targets
 from plusedit.commands.lines import Transform
-from plusedit.document.design import Design, EditError
+from plusedit.document.design import EditError
 from plusedit.document.selection import LineId
 from plusedit.geometry.arrays import Floats
-from plusedit.interaction.moving import move_drag
-from plusedit.interaction.places import in_world, seen_plane
+from plusedit.geometry.curve import PlusCurve
+from plusedit.interaction.ball import frame_at
+from plusedit.interaction.moving import centroid, is_flat, move_drag
+from plusedit.interaction.places import in_world
 from plusedit.interaction.readout import number, thread
-from plusedit.interaction.snapping import AXES, ROUND_ANGLE, to_step
+from plusedit.interaction.revolving import rotation
+from plusedit.interaction.snapping import AXES, to_step
+from plusedit.interaction.space_turning import Axis, Turning, axis_drag
+from plusedit.interaction.swing import TOO_NEAR, Slowed
 from plusedit.interaction.tool import Drag, Feedback, Held, Pointer, Shown, Stage
-from plusedit.interaction.turning import TOO_NEAR, Slowed, Swing, turn_drag, turned_about
+from plusedit.interaction.turning import turn_drag
+from plusedit.scene.camera import PlaneCamera
 from plusedit.scene.items import Item
 
 NEAR = 100.0  # pixels that double the size where the pointer began on the center itself
 
-TURN_HINT = "Rotate · Ctrl snaps to 15° · Shift is slow · type degrees · Enter or click accepts"
+TURN_HINT = (
+    "Rotate · X, Y, Z about an axis · Ctrl snaps to 15° · Shift is slow · type degrees · "
+    "Enter or click accepts"
+)
 SINGLE_HINT = (
     "Rotate the direction of this one line · Ctrl snaps to 15° · Shift is slow · "
     "type degrees · Enter or click accepts"
 )
-SCALE_HINT = "Scale · X, Y along an axis · Ctrl snaps to tenths · Shift is slow · type a factor"
+SCALE_HINT = (
+    "Scale · X, Y, Z along an axis, with Shift across it · Ctrl snaps to tenths · Shift is slow · "
+    "type a factor"
+)
 
 
 def move_selected(start: Pointer, stage: Stage) -> Drag:
@@ -35,29 +47,39 @@ def move_selected(start: Pointer, stage: Stage) -> Drag:
 
 
 def turn_selected(start: Pointer, stage: Stage) -> Drag:
-    """Turn what is selected about its centroid; of a single line only the direction turns."""
+    """Turn what is selected about its centroid; of a single line or plane only directions turn."""
     targets = chosen(stage)
     line = single(targets)
-    if line is not None:
+    if line is None:
+        return _turn_all(start, stage, targets)
+    geometry = stage.design.plus(line.shape)
+    if isinstance(geometry, PlusCurve) and isinstance(stage.camera, PlaneCamera):
         return turn_drag(start, stage, targets, line, hint=SINGLE_HINT)
-    return _turn_all(start, stage, targets)
+    own = _view_axis(stage, targets, centroid(stage.design, targets))
+    return axis_drag(start, stage, targets, own)
+
+
+def _view_axis(stage: Stage, targets: Targets, point: Floats) -> Axis:
+    """The axis toward the eye; z of what lies in the plane z = 0 in a view of space."""
+    if isinstance(stage.camera, PlaneCamera):
+        return Axis(point, stage.camera.axes_of_view[2], lockable=not is_flat(stage, targets))
+    if is_flat(stage, targets):
+        return Axis(point, np.eye(3)[2], "z", lockable=False)
+    return Axis(point, frame_at(stage.camera, point)[2])
 
 
 def _turn_all(start: Pointer, stage: Stage, targets: Targets) -> Drag:
     center = centroid(stage.design, targets)
     at = stage.camera.to_screen(center[None])[0]
-    swing, slowed, plane = Swing(at, start.at), Slowed(), seen_plane(stage.camera)
+    turning = Turning(stage.camera, _view_axis(stage, targets, center), start)
     now = yield Shown(feedback=Feedback(hint=TURN_HINT, cursor="turn"))
     while True:
-        angle = slowed.of(swing.to(now.at), slow=Held.SHIFT in now.held)
-        if now.typed:
-            angle = radians(now.typed[0] or 0.0)
-        elif Held.CTRL in now.held:
-            angle = to_step(angle, ROUND_ANGLE)
-        matrix, offset = turned_about(center, angle, plane)
+        about, angle = turning.to(now)
+        matrix = rotation(about.axis, angle)
         text = f"angle {number(degrees(angle), 1)}°"
         feedback = Feedback(_leash(at, now, stage), TURN_HINT, text, "turn")
-        now = yield Shown(Transform(targets, matrix, offset, "Rotate"), feedback)
+        edit = Transform(targets, matrix, center - matrix @ center, "Rotate")
+        now = yield Shown(edit, feedback)
 
 
 def scale_selected(start: Pointer, stage: Stage) -> Drag:
@@ -76,7 +98,7 @@ def scale_selected(start: Pointer, stage: Stage) -> Drag:
             factor = to_step(factor, 0.1)
         factors = np.full(3, factor)
         if now.axis is not None:
-            factors[[axis != now.axis for axis in AXES]] = 1.0
+            factors[[axis not in now.axis for axis in AXES]] = 1.0
         matrix = np.diag(factors)
         feedback = Feedback(
             _leash(at, now, stage), SCALE_HINT, f"scale {number(factor, 3)}×", "move"
@@ -98,17 +120,6 @@ def single(targets: Targets) -> LineId | None:
     """The line, where the targets are one line alone."""
     lines = [LineId(shape_id, row) for shape_id, rows in targets.items() for row in rows]
     return lines[0] if len(lines) == 1 else None
-
-
-def centroid(design: Design, targets: Targets) -> Floats:
-    """(3,) the mean of the control points."""
-    rows = [
-        fitted(point, 3)
-        for shape_id, numbers in targets.items()
-        for point in design.curve(shape_id).lines.points[list(numbers)]
-    ]
-    mean: Floats = np.mean(rows, axis=0)
-    return mean
 
 
 def _ratio(center: Floats, start: Floats, now: Floats) -> float:

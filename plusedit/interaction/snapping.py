@@ -30,15 +30,12 @@ def to_step(value: float, step: float) -> float:
     return round(value / step) * step
 
 
-def along_axis(vector: Floats, axis: str | None) -> Floats:
-    """What the vector has along "x", "y" or "z"; all of it for None."""
-    if axis is None:
+def along_axis(vector: Floats, axes: str | None) -> Floats:
+    """What the vector has along "x", "y" or "z", or two of them, as "xy"; all of it for None."""
+    if axes is None:
         return vector
-    result = np.zeros_like(vector)
-    index = AXES.index(axis)
-    if index < len(result):
-        result[index] = vector[index]
-    return result
+    kept = [name in axes for name in AXES[: len(vector)]]
+    return np.where(kept, vector, 0.0)
 
 
 def along_longer(vector: Floats) -> Floats:

@@ -36,9 +36,12 @@ class Pointer:
     y: float
     held: Held = Held.NONE
     typed: tuple[float | None, ...] = ()
-    """numbers typed during a drag, by field; None for a field that was left empty"""
+    """numbers typed during a drag, by field; None for a field that was left empty. There is one for
+    each axis that is seen, and one more, a radius, where `reach` is given"""
     axis: str | None = None
-    """"x", "y" or "z" while a drag is locked to that axis"""
+    """"x", "y" or "z" while a drag is locked to that axis, two of them to the plane they span"""
+    reach: float | None = None
+    """pixels around what is moved within which its neighbors follow; None: they stay"""
 
     @property
     def at(self) -> Floats:

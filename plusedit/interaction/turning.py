@@ -1,96 +1,25 @@
 """Drags that turn and stretch directions."""
 
-from dataclasses import dataclass
-from math import atan2, degrees, hypot, pi, radians
+from math import atan2, degrees, hypot, radians
 
 import numpy as np
 
-from plusedit.commands.base import Landing, Targets
-from plusedit.commands.directions import Turn, quarter_exact, turned
+from plusedit.commands.base import Landing, Side, Targets
+from plusedit.commands.directions import SetDirection, Turn, quarter_exact
 from plusedit.document.selection import LineId, Selection
+from plusedit.document.shape import PlusGeometry
 from plusedit.geometry.arrays import Floats, unit
-from plusedit.geometry.curve import PlusCurve
-from plusedit.interaction.places import seen_plane
+from plusedit.geometry.surface import PlusSurface, Way
+from plusedit.interaction.places import in_space, seen_plane
 from plusedit.interaction.readout import angle_text, number
 from plusedit.interaction.snapping import ROUND_ANGLE, to_step
+from plusedit.interaction.space_turning import Axis, axis_drag, ball_drag
+from plusedit.interaction.swing import Slowed, Swing
 from plusedit.interaction.tool import Drag, Feedback, Held, Pointer, Shown, Stage
-
-SLOW = 0.1  # of the pointer's angle while Shift is held
-
-DEAD = 12.0  # pixels around the center in which the pointer has no angle worth following
-OF_START = 0.6  # of the distance at the start: a short handle has a smaller dead center
-TOO_NEAR = 4.0  # pixels: from there no angle can be told
+from plusedit.scene.camera import Camera, PlaneCamera
+from plusedit.scene.plane_handles import plane_handles
 
 HINT = "Drag to rotate · Ctrl snaps to 15° · Shift is slow · Alt stretches · type degrees · Esc"
-
-
-class Swing:
-    """The angle by which a pointer has gone round a center on the screen.
-
-    It counts full turns. A way straight through the center turns by nothing: what is held then
-    is the other end of the line. Back at the start it is zero to the last bit, but for full turns.
-    """
-
-    def __init__(self, center: Floats, start: Floats) -> None:
-        self._center = center
-        self._from = self._before = start - center
-        distance = hypot(*self._from)
-        self._dead = min(DEAD, OF_START * distance)
-        self._has_begun = distance >= TOO_NEAR
-        self._angle = 0.0
-
-    def to(self, at: Floats) -> float:
-        """The angle in radians, counter-clockwise as seen, from the start to `at`."""
-        now = at - self._center
-        if not self._has_begun:
-            self._begin(now)
-        if hypot(*now) < self._dead or not self._has_begun:
-            return self._angle
-        period = pi if self._passes_through(now) else 2.0 * pi
-        step = _angle(self._before, now)
-        likely = self._angle + step - period * round(step / period)
-        plain = _angle(self._from, now)
-        self._angle = plain + pi * round((likely - plain) / pi)
-        self._before = now
-        return self._angle
-
-    def _begin(self, now: Floats) -> None:
-        """Begin where the pointer comes far enough from the center, having started on it."""
-        if hypot(*now) >= TOO_NEAR:
-            self._from = self._before = now
-            self._dead, self._has_begun = TOO_NEAR, True
-
-    def _passes_through(self, now: Floats) -> bool:
-        way = now - self._before
-        square = float(way @ way)
-        if square == 0.0:
-            return False
-        share = min(1.0, max(0.0, float(-self._before @ way) / square))
-        return hypot(*(self._before + share * way)) < self._dead
-
-
-def _angle(first: Floats, second: Floats) -> float:
-    """From one vector of pixels to another, counter-clockwise as seen, where y runs downwards."""
-    (x1, y1), (x2, y2) = first, second
-    return atan2(-(x1 * y2 - y1 * x2), x1 * x2 + y1 * y2)
-
-
-@dataclass
-class Slowed:
-    """A number that follows another one at a speed that changes without a jump."""
-
-    speed: float = 1.0
-    offset: float = 0.0
-    before: float = 0.0
-
-    def of(self, value: float, *, slow: bool) -> float:
-        """What stands at `value`; on the way there it was slow or not."""
-        speed = SLOW if slow else 1.0
-        if speed != self.speed:
-            self.offset += (self.speed - speed) * self.before
-            self.speed = speed
-        self.before = value
-        return value * self.speed + self.offset
 
 
 def turn_drag(
@@ -102,13 +31,32 @@ def turn_drag(
     selection: Selection | None = None,
     hint: str = HINT,
 ) -> Drag:
-    """Turn the directions of `targets` by the angle that the pointer goes round the line `held`.
+    """Turn the directions of `targets` as the pointer draws a grip of `held`.
 
-    With Alt the tip on that side follows the pointer: `held` is set to it, the others turn and
-    stretch alike.
+    In a view of a plane by the angle that it goes round the control point; with Alt the tip on
+    that side follows the pointer: `held` is set to it, the others turn and stretch alike. In space
+    the grip follows the pointer over the ball about the control point.
     """
-    curve = stage.design.curve(held.shape)
-    grip = Grip(curve, held, side, seen_plane(stage.camera))
+    geometry = stage.design.plus(held.shape)
+    if isinstance(stage.camera, PlaneCamera):
+        return _flat_drag(start, stage, targets, held, side, selection, hint)
+    if geometry.dimension == 2:
+        point = in_space(geometry.net.control_points[[held.number]])[0]
+        upright = Axis(point, np.eye(3)[2], "z", lockable=False)
+        return axis_drag(start, stage, targets, upright, selection)
+    return ball_drag(start, stage, targets, held, side, selection)
+
+
+def _flat_drag(
+    start: Pointer,
+    stage: Stage,
+    targets: Targets,
+    held: LineId,
+    side: int,
+    selection: Selection | None,
+    hint: str,
+) -> Drag:
+    grip = Grip(stage.design.plus(held.shape), held, side, stage.camera)
     center = stage.camera.to_screen(grip.point[None])[0]
     swing, slowed = Swing(center, start.at), Slowed()
     now = yield Shown(selection, Feedback(hint=hint, cursor="turn"))
@@ -128,9 +76,16 @@ def turn_drag(
 
 
 def pull_drag(start: Pointer, stage: Stage, held: LineId, selection: Selection) -> Drag:
-    """Pull a direction out of the dot of a line that has none."""
-    curve = stage.design.curve(held.shape)
-    grip = Grip(curve, held, 1, seen_plane(stage.camera))
+    """Pull a direction out of the dot of a line or plane that has none."""
+    geometry = stage.design.plus(held.shape)
+    side = 2 if geometry.vectors[0, held.number].any() else 1
+    if not isinstance(stage.camera, PlaneCamera):
+        return _pull_in_space(stage, held, side, selection)
+    return _pull_in_plane(stage, held, side, selection)
+
+
+def _pull_in_plane(stage: Stage, held: LineId, side: int, selection: Selection) -> Drag:
+    grip = Grip(stage.design.plus(held.shape), held, side, stage.camera)
     now = yield Shown(selection, Feedback(hint=HINT, cursor="turn"))
     targets = {held.shape: (held.number,)}
     while True:
@@ -139,17 +94,47 @@ def pull_drag(start: Pointer, stage: Stage, held: LineId, selection: Selection) 
         now = yield Shown(edit, Feedback(hint=HINT, readout=text, cursor="turn"))
 
 
-class Grip:
-    """One end of a control line, and the edits that it makes of where it is drawn to."""
+def _pull_in_space(stage: Stage, held: LineId, side: int, selection: Selection) -> Drag:
+    geometry = stage.design.plus(held.shape)
+    point, reach = geometry.net.control_points[held.number], reach_of(geometry, side)
+    now = yield Shown(selection, Feedback(hint=HINT, cursor="turn"))
+    while True:
+        way = stage.camera.to_world(now.at, point) - point
+        direction = way / reach if reach > 0.0 else unit(way)
+        text = f"length {number(float(np.linalg.norm(direction)), 2)}"
+        edit = SetDirection(*held, direction, side_of(geometry, side))
+        now = yield Shown(edit, Feedback(hint=HINT, readout=text, cursor="turn"))
 
-    def __init__(self, curve: PlusCurve, line: LineId, side: int, plane: tuple[int, int]) -> None:
+
+def side_of(geometry: PlusGeometry, side: int) -> Side:
+    """Which directions a grip on that side of a line or plane stands for."""
+    if isinstance(geometry, PlusSurface):
+        return "v" if side == 2 else "u"
+    return "both"
+
+
+def reach_of(geometry: PlusGeometry, side: int) -> float:
+    """The length of the handle of a direction of length 1, as it is by itself."""
+    if isinstance(geometry, PlusSurface):
+        return geometry.spacings[side - 1] * abs(geometry.s)
+    return geometry.spacing * abs(geometry.s)
+
+
+class Grip:
+    """An end of a control line or an arm of a plane, and the edits made of where it is drawn to."""
+
+    def __init__(self, geometry: PlusGeometry, line: LineId, side: int, camera: Camera) -> None:
         self._line = line
-        self._side = side
-        self._plane = plane
-        self.point = curve.lines.points[line.number]
-        self._direction = curve.directions[line.number]
-        self._per_unit = curve.spacing * abs(curve.s)
-        """the length of a handle whose direction has length 1"""
+        self._is_plane = isinstance(geometry, PlusSurface)
+        self._side = side_of(geometry, side)
+        self._way: Way = "v" if self._side == "v" else "u"
+        self._sign = 1 if self._is_plane else side
+        self._plane = seen_plane(camera)
+        self.point = geometry.net.control_points[line.number]
+        self._direction = geometry.vectors[side - 1 if self._is_plane else 0, line.number]
+        self._per_unit = reach_of(geometry, side)
+        if isinstance(geometry, PlusSurface):
+            self._per_unit = _drawn_reach(geometry, line.number, side - 1, camera)
 
     @property
     def _seen(self) -> Floats:
@@ -168,19 +153,20 @@ class Grip:
 
     def by(self, targets: Targets, angle: float) -> tuple[Turn, str]:
         """Everything turned by an angle."""
-        return Turn(targets, angle, self._plane), angle_text(self.angle + angle, angle)
+        text = angle_text(self.angle + angle, angle)
+        return Turn(targets, angle, self._plane, side=self._side), text
 
     def snapped(self, targets: Targets, angle: float) -> tuple[Turn, str]:
-        """Turned so that this line points in a multiple of 15 degrees."""
+        """Turned so that this direction points to a multiple of 15 degrees."""
         goal = to_step(self.angle + angle, ROUND_ANGLE)
         by, length = goal - self.angle, hypot(*self._seen)
         exact = self._placed(length * np.array(quarter_exact(goal)))
-        landing = Landing(self._line.shape, self._line.number, exact)
-        return Turn(targets, by, self._plane, landing=landing), angle_text(goal, by)
+        text = angle_text(goal, by)
+        return Turn(targets, by, self._plane, 1.0, self._landing(exact), self._side), text
 
     def stretched(self, targets: Targets, tip: Floats, *, snap: bool) -> tuple[Turn | None, str]:
-        """Turned and stretched so that the tip on this side of this line stands at `tip`."""
-        way = self._side * (tip - self.point)
+        """Turned and stretched so that the tip on this side stands at `tip`."""
+        way = self._sign * (tip - self.point)
         flat = np.array([self._in(way, axis) for axis in self._plane])
         if not flat.any():
             return None, ""
@@ -193,10 +179,13 @@ class Grip:
         before = hypot(*self._seen)
         by = goal - self.angle if before > 0.0 else 0.0
         factor = length / before if before > 0.0 else 1.0
-        landing = Landing(self._line.shape, self._line.number, self._placed(flat))
+        landing = self._landing(self._placed(flat))
         size = f"{number(factor, 2)}×" if before > 0.0 else number(length, 2)
         text = f"length {size}  angle {number(degrees(goal), 1)}°"
-        return Turn(targets, by, self._plane, factor, landing), text
+        return Turn(targets, by, self._plane, factor, landing, self._side), text
+
+    def _landing(self, direction: Floats) -> Landing:
+        return Landing(self._line.shape, self._line.number, direction, self._way)
 
     def _placed(self, flat: Floats) -> Floats:
         """The direction with those two components in the plane of the view."""
@@ -207,8 +196,11 @@ class Grip:
         return result
 
 
-def turned_about(center: Floats, angle: float, plane: tuple[int, int]) -> tuple[Floats, Floats]:
-    """Matrix (3, 3) and offset (3,) of a turn about a point (3,)."""
-    matrix = turned(np.eye(3), angle, plane).T
-    offset: Floats = center - matrix @ center
-    return matrix, offset
+def _drawn_reach(surface: PlusSurface, number: int, way: int, camera: Camera) -> float:
+    """The length of an arm as it is drawn, for a direction of length 1; 0 where there is none."""
+    length = float(np.linalg.norm(surface.vectors[way, number]))
+    if length == 0.0:
+        return surface.spacings[way] * abs(surface.s)
+    tip = plane_handles(surface, camera).tips_world[way, number]
+    arm = float(np.linalg.norm(tip - surface.planes.control_points[number]))
+    return arm / length

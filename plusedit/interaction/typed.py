@@ -3,7 +3,7 @@
 from dataclasses import dataclass, replace
 
 FIELDS = 2
-"""dx and dy; a drag with one number looks at the first"""
+"""dx and dy, in a view of a plane; a drag with one number looks at the first"""
 
 LONGEST = 24  # characters of one number: more says nothing to a double
 
@@ -28,7 +28,7 @@ class Typed:
         """What stands there after a key: a digit, ".", "-", "Tab" or "Backspace"; else None."""
         text = self.fields[self.at]
         if key == "Tab":
-            return replace(self, at=(self.at + 1) % FIELDS)
+            return replace(self, at=(self.at + 1) % len(self.fields))
         if key == "Backspace":
             return self._with(text[:-1])
         if key == "-":
@@ -38,6 +38,11 @@ class Typed:
         if len(key) == 1 and key in "0123456789":
             return self._with((text + key)[:LONGEST])
         return None
+
+    def of_fields(self, count: int) -> "Typed":
+        """With that many fields, the first ones as they are."""
+        fields = (*self.fields, *[""] * count)[:count]
+        return Typed(fields, min(self.at, count - 1))
 
     def _with(self, text: str) -> "Typed":
         fields = list(self.fields)

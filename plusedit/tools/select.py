@@ -9,11 +9,15 @@ from plusedit.commands.directions import ResetDirections
 from plusedit.document.joints import joined
 from plusedit.document.selection import NOTHING_SELECTED, LineId, Selection
 from plusedit.document.shape import ShapeId
-from plusedit.geometry.arrays import Floats
+from plusedit.interaction.gizmo_picking import gizmo_in
+from plusedit.interaction.highlighting import highlight
 from plusedit.interaction.hits import Hit
 from plusedit.interaction.moving import move_drag
+from plusedit.interaction.net_picking import edge_under, planes_along
 from plusedit.interaction.picking import all_under, inside, under
-from plusedit.interaction.readout import box, ring
+from plusedit.interaction.readout import box
+from plusedit.interaction.space_moving import Along
+from plusedit.interaction.space_turning import Axis, axis_drag
 from plusedit.interaction.tool import (
     REACH,
     Drag,
@@ -25,10 +29,7 @@ from plusedit.interaction.tool import (
     Stage,
     register,
 )
-from plusedit.interaction.turning import pull_drag, turn_drag
-from plusedit.scene.drawn import drawn
-from plusedit.scene.handles import handles
-from plusedit.scene.items import Item, Polyline
+from plusedit.interaction.turning import pull_drag, side_of, turn_drag
 
 EMPTY = 2.0 * REACH  # pixels to anything: only a click farther off clears the selection
 
@@ -38,8 +39,15 @@ HINTS = {
     "grip": "Drag to rotate · Ctrl snaps to 15° · Shift is slow · Alt stretches · "
     "double-click: automatic again",
     "curve": "Drag to move the shape · click selects, Shift adds · double-click: all its lines",
+    "surface": "Drag to move the shape · click selects, Shift adds · "
+    "double-click: all its planes, or the row of a net edge",
+    "arrow": "Drag to move along this axis · Ctrl snaps to the grid · type a distance",
+    "ring": "Drag to turn the plane about this axis · Ctrl snaps to 15° · Shift is slow · "
+    "type degrees",
+    "edge": "Double-click selects the row of control planes, Shift adds it",
     "": "Click or drag a box to select · V P I H choose tools · G R S move, rotate, scale",
 }
+CURSORS = {"grip": "turn", "ring": "turn", "edge": "arrow"}
 
 
 @register("select")
@@ -51,20 +59,22 @@ class Select:
     order: ClassVar[int] = 10
 
     def drag(self, start: Pointer, stage: Stage) -> Drag:
-        """Whatever was pressed on: a dot, a grip, a curve, or empty ground."""
+        """Whatever was pressed on: a dot, a grip, the gizmo, a shape, or empty ground."""
         hit = under(start.at, stage)
         if hit is None:
             return box_drag(start, stage)
+        if hit.kind in ("arrow", "ring"):
+            return gizmo_drag(hit, start, stage)
         if hit.line is None:
-            return _curve_drag(hit, start, stage)
+            return _shape_drag(hit, start, stage)
         selection = stage.selection
         if hit.line not in selection.lines:
             # A line of a shape that is selected as a whole stands for itself once it is grabbed.
             selection = _taken(hit, stage, adding=Held.SHIFT in start.held)
-        targets = {i: rows for i, rows in selection.by_shape().items() if stage.design[i].editable}
+        targets = _editable(selection, stage)
         if hit.kind == "grip":
             return turn_drag(start, stage, targets, hit.line, hit.side, selection)
-        if Held.ALT in start.held and not _has_direction(hit.line, stage):
+        if Held.ALT in start.held and not _has_directions(hit.line, stage):
             return pull_drag(start, stage, hit.line, selection)
         return move_drag(start, stage, targets, hit.line, selection)
 
@@ -80,24 +90,35 @@ class Select:
         return NOTHING_SELECTED
 
     def double_click(self, at: Pointer, stage: Stage) -> Outcome:
-        """On a grip: back to automatic. On a curve: all its lines. Elsewhere a press."""
+        """On a grip: back to automatic. On the edge of a net: its row. On a shape: all of it.
+
+        Elsewhere it is a press.
+        """
         hit = under(at.at, stage)
+        if hit is not None and hit.kind == "grip":
+            side = side_of(stage.design.plus(hit.shape), hit.side)
+            return ResetDirections({hit.shape: (hit.number,)}, side)
+        if hit is not None and hit.kind in ("dot", "arrow", "ring"):
+            return None
+        edge = edge_under(at.at, stage) if hit is None or hit.kind == "surface" else None
+        if edge is not None:
+            row = planes_along(edge, stage)
+            return stage.selection | row if Held.SHIFT in at.held else row
         if hit is None:
             return None
-        if hit.kind == "grip":
-            return ResetDirections({hit.shape: (hit.number,)})
-        if hit.kind == "curve":
-            count = len(stage.design.curve(hit.shape).lines)
-            return Selection.of_lines(LineId(hit.shape, row) for row in range(count))
-        return None
+        count = len(stage.design.plus(hit.shape).net)
+        return Selection.of_lines(LineId(hit.shape, row) for row in range(count))
 
     def hover(self, at: Pointer, stage: Stage) -> Feedback:
-        """A ring around what a press would take."""
+        """What a press would take, highlighted."""
         hit = under(at.at, stage)
+        if hit is None or hit.kind == "surface":
+            hit = edge_under(at.at, stage) or hit
         if hit is None:
             return Feedback(hint=HINTS[""])
-        cursor = {"dot": "move", "grip": "turn", "curve": "move"}[hit.kind]
-        return Feedback((_highlight(hit, stage),), HINTS[hit.kind], cursor=cursor)
+        return Feedback(
+            tuple(highlight(hit, stage)), HINTS[hit.kind], cursor=CURSORS.get(hit.kind, "move")
+        )
 
     def keys(self, stage: Stage) -> frozenset[str]:
         """None of its own."""
@@ -137,23 +158,42 @@ def _of(shape_id: ShapeId, lines: frozenset[LineId]) -> bool:
     return any(line.shape == shape_id for line in lines)
 
 
-def _curve_drag(hit: Hit, start: Pointer, stage: Stage) -> Drag:
+def gizmo_drag(hit: Hit, start: Pointer, stage: Stage) -> Drag:
+    """Move what is selected along an arrow of the gizmo, or turn its planes about a ring."""
+    gizmo = gizmo_in(stage)
+    if gizmo is None:
+        return box_drag(start, stage)
+    targets = _editable(stage.selection, stage)
+    axis, name = gizmo.axes[hit.axis], gizmo.names[hit.axis]
+    if hit.kind == "arrow":
+        return move_drag(start, stage, targets, gizmo.line, along=Along(axis, name))
+    return axis_drag(start, stage, targets, Axis(gizmo.point, axis, name))
+
+
+def _shape_drag(hit: Hit, start: Pointer, stage: Stage) -> Drag:
     """Move whole shapes: all that are selected if this one is among them, else this one."""
     among = hit.shape in stage.selection.shapes
     selection = stage.selection if among else Selection.of_shapes([hit.shape])
     targets: Targets = {
-        shape_id: tuple(range(len(stage.design.curve(shape_id).lines)))
+        shape_id: tuple(range(len(geometry.net)))
         for shape_id in selection.shapes
-        if stage.design[shape_id].editable
+        if (geometry := stage.design[shape_id].plus) is not None and stage.design[shape_id].editable
     }
-    points = stage.camera.to_screen(stage.design.curve(hit.shape).lines.points)
+    points = stage.camera.to_screen(stage.design.plus(hit.shape).net.control_points)
     nearest = int(np.hypot(*(points - start.at).T).argmin())
     return move_drag(start, stage, targets, LineId(hit.shape, nearest), selection)
+
+
+def _editable(selection: Selection, stage: Stage) -> Targets:
+    """The selected lines and planes of shapes that can be edited."""
+    return {i: rows for i, rows in selection.by_shape().items() if stage.design[i].editable}
 
 
 def _taken(hit: Hit, stage: Stage, *, adding: bool) -> Selection:
     """The selection after a click on something; a line comes with those it is joined to."""
     selection = stage.selection
+    if hit.kind in ("arrow", "ring"):
+        return selection
     if hit.line is None:
         return selection.toggled_shape(hit.shape) if adding else Selection.of_shapes([hit.shape])
     lines = joined(stage.design, hit.line)
@@ -183,15 +223,6 @@ def _below(at: Pointer, stage: Stage) -> Outcome:
     return stage.selection | chosen if Held.SHIFT in at.held else chosen
 
 
-def _has_direction(line: LineId, stage: Stage) -> bool:
-    return bool(stage.design.curve(line.shape).directions[line.number].any())
-
-
-def _highlight(hit: Hit, stage: Stage) -> Item:
-    curve = stage.design.curve(hit.shape)
-    if hit.kind == "curve":
-        return Polyline(drawn(curve, stage.camera).points, "hover", 3.0)
-    at: Floats = curve.lines.points[[hit.number]]
-    if hit.kind == "grip":
-        at = at + hit.side * handles(curve, stage.camera).arms[[hit.number]]
-    return ring(at)
+def _has_directions(line: LineId, stage: Stage) -> bool:
+    vectors = stage.design.plus(line.shape).vectors[:, line.number]
+    return bool(vectors.any(axis=1).all())

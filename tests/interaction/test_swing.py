@@ -3,7 +3,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from plusedit.interaction.turning import Slowed, Swing
+from plusedit.interaction.swing import Slowed, Swing
 
 CENTER = np.array([100.0, 100.0])
 

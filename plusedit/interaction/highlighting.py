@@ -1,0 +1,48 @@
+"""What a press would take, in the color of that."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from plusedit.geometry.arrays import Floats
+from plusedit.geometry.curve import PlusCurve
+from plusedit.geometry.surface import PlusSurface
+from plusedit.interaction.gizmo_picking import gizmo_highlight
+from plusedit.interaction.hits import Hit
+from plusedit.interaction.net_picking import planes_along
+from plusedit.interaction.readout import ring
+from plusedit.interaction.space_turning import tip_of
+from plusedit.interaction.tool import Stage
+from plusedit.scene.drawn import drawn
+from plusedit.scene.drawn_surface import surface_grids
+from plusedit.scene.isolines import isolines
+from plusedit.scene.items import Item, Polyline
+
+WIDTH = 3.0  # pixels
+
+
+def highlight(hit: Hit, stage: Stage) -> Iterator[Item]:
+    """A ring around a dot or grip, a wider line along all else."""
+    geometry = stage.design.plus(hit.shape)
+    if hit.kind == "dot":
+        yield ring(geometry.net.control_points[[hit.number]])
+    elif hit.kind == "grip":
+        yield ring(tip_of(geometry, hit.number, hit.side, stage.camera)[None])
+    elif hit.kind in ("arrow", "ring"):
+        yield from gizmo_highlight(hit, stage)
+    elif hit.kind == "edge":
+        yield Polyline(_row(hit, stage), "hover", 2.0)
+    elif isinstance(geometry, PlusCurve):
+        yield Polyline(drawn(geometry, stage.camera).points, "hover", WIDTH)
+    elif isinstance(geometry, PlusSurface):
+        lines = isolines(geometry, surface_grids(geometry, stage.camera))
+        for points in lines.edges or (*lines.along_u, *lines.along_v):
+            yield Polyline(points, "hover", WIDTH)
+
+
+def _row(hit: Hit, stage: Stage) -> Floats:
+    """(m, 3) the control points that an edge of a net leads to, both ways."""
+    surface = stage.design.surface(hit.shape)
+    numbers = sorted(line.number for line in planes_along(hit, stage).lines)
+    points: Floats = surface.planes.control_points[numbers]
+    return np.vstack([points, points[:1]]) if surface.closed[hit.axis] else points
