@@ -13,8 +13,10 @@ from itertools import pairwise
 import numpy as np
 
 from plusedit.document.design import Design
-from plusedit.document.shape import Json, Shape, ShapeId, Tree
+from plusedit.document.shape import Json, NotDrawn, Shape, ShapeId, Tree
 from plusedit.geometry.arrays import Floats
+from plusedit.geometry.surface import PlusSurface
+from plusedit.io.fields import of_number
 from plusedit.io.svg_cubics import chain_of
 from plusedit.io.svg_frames import Frame, frame_in
 from plusedit.io.svg_reading import BETWEEN
@@ -42,11 +44,15 @@ def write_svg(design: Design) -> bytes:
 
 def left_out(design: Design) -> tuple[str, ...]:
     """What of a design a drawing can't show, one sentence a kind."""
-    without = sum(shape.curve is None for shape in design.shapes.values())
+    geometries = [shape.geometry for shape in design.shapes.values()]
+    surfaces = sum(isinstance(geometry, PlusSurface) for geometry in geometries)
+    meshes = sum(isinstance(geometry, NotDrawn) for geometry in geometries)
+    kinds = [("surface", surfaces), ("mesh", meshes)]
+    counted = " and ".join(of_number(count, kind) for kind, count in kinds if count)
     space = sum(curve.dimension == 3 for _, curve in design.curves())
     sentences = []
-    if without:
-        sentences.append(f"Left out: {without} of the shapes, which are no curves.")
+    if counted:
+        sentences.append(f"Left out: {counted}, as a drawing has curves alone.")
     if space:
         sentences.append(f"Seen from above: {space} of the curves, which lie in space.")
     return tuple(sentences)

@@ -124,8 +124,8 @@ def test_locked_shapes_can_be_renamed_hidden_and_unlocked():
 
 
 def test_shapes_that_are_not_drawn_can_be_deleted():
-    surface = Shape(NotDrawn("surface", {}), "S")
-    start = known().with_shape(ShapeId("s"), surface)
+    mesh = Shape(NotDrawn("mesh", {}), "S")
+    start = known().with_shape(ShapeId("s"), mesh)
     assert ShapeId("s") not in DeleteShapes((ShapeId("s"),)).apply(start)
 
 

@@ -6,11 +6,11 @@ from plusedit.document.design import Design, EditError, changed
 from plusedit.document.shape import NotDrawn, Shape, ShapeId, Style
 from tests.designs import BOW, WING, a_curve, a_design
 
-SAIL = ShapeId("sail")
+KNEE = ShapeId("knee")
 
 
-def with_a_sail(design):
-    return design.with_shape(SAIL, Shape(NotDrawn("surface", {}), "Sail"))
+def with_a_knee(design):
+    return design.with_shape(KNEE, Shape(NotDrawn("mesh", {}), "Knee"))
 
 
 def test_an_edit_shares_every_shape_that_it_did_not_touch(design):
@@ -38,7 +38,7 @@ def test_the_shapes_can_not_be_replaced_from_outside(design):
 
 
 def test_a_new_shape_comes_in_front(design):
-    assert list(with_a_sail(design)) == [WING, BOW, SAIL]
+    assert list(with_a_knee(design)) == [WING, BOW, KNEE]
 
 
 def test_a_replaced_shape_stays_in_its_place(design):
@@ -46,27 +46,27 @@ def test_a_replaced_shape_stays_in_its_place(design):
 
 
 def test_what_came_or_went_has_changed(design):
-    assert changed(design, with_a_sail(design)) == {SAIL}
+    assert changed(design, with_a_knee(design)) == {KNEE}
     assert changed(design, design.without(BOW)) == {BOW}
     assert changed(design, design.ordered([BOW, WING])) == set()
 
 
 def test_an_order_names_every_shape_once(design):
     assert list(design.ordered([BOW, WING])) == [BOW, WING]
-    for wrong in ([BOW], [BOW, WING, SAIL], [BOW, BOW, WING]):
+    for wrong in ([BOW], [BOW, WING, KNEE], [BOW, BOW, WING]):
         with pytest.raises(EditError, match="every shape once"):
             design.ordered(wrong)
 
 
 def test_a_missing_shape_is_named(design):
-    with pytest.raises(EditError, match="there is no shape 'sail'"):
-        design[SAIL]
+    with pytest.raises(EditError, match="there is no shape 'knee'"):
+        design[KNEE]
 
 
-def test_a_surface_is_not_a_curve(design):
-    assert [shape_id for shape_id, _ in with_a_sail(design).curves()] == [WING, BOW]
-    with pytest.raises(EditError, match="Sail is not a curve"):
-        with_a_sail(design).curve(SAIL)
+def test_a_mesh_is_not_a_curve(design):
+    assert [shape_id for shape_id, _ in with_a_knee(design).curves()] == [WING, BOW]
+    with pytest.raises(EditError, match="Knee is not a curve"):
+        with_a_knee(design).curve(KNEE)
 
 
 @pytest.mark.parametrize(

@@ -366,8 +366,8 @@ def test_an_empty_view_says_what_to_do(qtbot):
 
 
 def test_what_is_kept_but_not_drawn_is_noted_in_the_corner(qtbot):
-    kept = Shape(NotDrawn("surface", NOTHING), "Sail")
-    note = canvas_of(Session(Design({**a_design().shapes, ShapeId("sail"): kept})))
+    kept = Shape(NotDrawn("mesh", NOTHING), "Knee")
+    note = canvas_of(Session(Design({**a_design().shapes, ShapeId("knee"): kept})))
     bare = canvas_of(Session(a_design()))
     for canvas in (note, bare):
         qtbot.addWidget(canvas)

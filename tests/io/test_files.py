@@ -10,7 +10,7 @@ import pytest
 
 from plusedit.document.design import Design
 from plusedit.io import files
-from plusedit.io.files import check_apart, load, read_file, save, write_file
+from plusedit.io.files import check_apart, load, read_file, replacing, save, write_file
 from plusedit.io.formats import FormatError
 from tests.designs import DOCUMENT, a_design, contents
 
@@ -243,3 +243,23 @@ def test_a_file_that_is_too_large_is_not_read(tmp_path):
 def test_bytes_come_back_as_they_were_written(tmp_path):
     write_file(bytes(range(256)), tmp_path / "anything")
     assert read_file(tmp_path / "anything") == bytes(range(256))
+
+
+def test_a_stream_that_is_not_written_to_its_end_leaves_the_old_file(document):
+    def begin():
+        with replacing(document) as stream:
+            stream.write(b"half")
+            raise FormatError("there is no more")
+
+    assert refused(begin) == "bow.json: there is no more"
+    assert document.read_bytes() == DOCUMENT
+    assert names_in(document.parent) == ["bow.json"]
+
+
+def test_a_stream_becomes_the_file_at_its_end(document):
+    with replacing(document) as stream:
+        for piece in (b"one", b"two"):
+            stream.write(piece)
+        assert document.read_bytes() == DOCUMENT
+    assert document.read_bytes() == b"onetwo"
+    assert names_in(document.parent) == ["bow.json"]

@@ -21,6 +21,7 @@ from plusedit.io.formats.json_document import dumps, loads
 from plusedit.io.svg_cubics import chain_of
 from plusedit.io.svg_reading import read_svg
 from plusedit.io.svg_writing import left_out, write_svg
+from tests.geometry.surfaces import a_surface
 from tests.io.svg_drawings import (
     cubic,
     distances,
@@ -307,9 +308,11 @@ def test_caps_dashes_and_opacities_are_kept():
 
 
 def test_shapes_without_a_curve_are_left_out_and_it_is_said():
-    what = Design({"sail": Shape(NotDrawn("surface", {}), "sail"), "bow": Shape(bezier(), "bow")})
+    sail, knee = Shape(a_surface(), "sail"), Shape(NotDrawn("mesh", {}), "knee")
+    what = Design({"sail": sail, "bow": Shape(bezier(), "bow"), "jib": sail, "knee": knee})
     data = write_svg(what)
     assert len(paths_of(data)) == 1
+    assert left_out(what) == ("Left out: 2 surfaces and 1 mesh, as a drawing has curves alone.",)
     assert left_out(what)[0] in data.decode()
 
 

@@ -134,9 +134,9 @@ def kept(*kinds):
     ("kinds", "sentence"),
     [
         ((), ""),
-        (("surface",), "1 surface is kept but not drawn yet"),
-        (("surface", "surface"), "2 surfaces are kept but not drawn yet"),
-        (("mesh", "surface", "mesh"), "2 meshes and 1 surface are kept but not drawn yet"),
+        (("mesh",), "1 mesh is kept but not drawn yet"),
+        (("mesh", "mesh"), "2 meshes are kept but not drawn yet"),
+        (("mesh", "cloud", "mesh"), "1 cloud and 2 meshes are kept but not drawn yet"),
     ],
 )
 def test_what_is_left_out_is_said(kinds, sentence):
