@@ -6,6 +6,7 @@ from numpy.typing import ArrayLike, NDArray
 Floats = NDArray[np.float64]
 
 SAFE = 1e-200  # squares from here to 1 / SAFE have lost nothing to the limits of a double
+ONE_THREAD = 8192  # numbers up to which BLAS starts no threads; waiting for them takes longer
 LARGEST = 1e100  # squares and cubes of coordinates, as in curvature, still fit a double
 
 
@@ -23,10 +24,17 @@ def frozen(values: ArrayLike, *, shape: tuple[int | None, ...], name: str) -> Fl
     ):
         raise ValueError(f"{name}: expected shape {shape}, got {array.shape}")
     # Not a number is not less than anything: one comparison finds whatever may be wrong.
-    if not np.vdot(array, array) <= LARGEST:
+    if not _bound(array) <= LARGEST:
         _check_entries(array, name)
     array.flags.writeable = False
     return array
+
+
+def _bound(array: Floats) -> float:
+    """No entry is larger, as long as this is not too large itself."""
+    if array.size <= ONE_THREAD:
+        return float(np.vdot(array, array))
+    return float(max(array.max(), -array.min()))
 
 
 def _check_entries(array: Floats, name: str) -> None:

@@ -25,19 +25,18 @@ def automatic_planes(points: Floats, *, closed_u: bool, closed_v: bool) -> Float
 
     Zero where both neighbors coincide.
     """
-    along_u = _across(points, closed_u)
-    along_v = np.swapaxes(_across(np.swapaxes(points, 0, 1), closed_v), 0, 1)
-    return unit(np.stack([along_u, along_v]))
+    across = np.empty((2, *points.shape))
+    _fill_across(points, closed_u, across[0])
+    _fill_across(points.swapaxes(0, 1), closed_v, across[1].swapaxes(0, 1))
+    return unit(across)
 
 
-def _across(points: Floats, closed: bool) -> Floats:
+def _fill_across(points: Floats, closed: bool, across: Floats) -> None:
     """P_{i+1} - P_{i-1} along the first axis, one-sided at the ends of an open direction."""
-    if closed:
-        return np.roll(points, -1, axis=0) - np.roll(points, 1, axis=0)
-    rows = np.arange(len(points))
-    after, before = np.minimum(rows + 1, len(points) - 1), np.maximum(rows - 1, 0)
-    across: Floats = points[after] - points[before]
-    return across
+    np.subtract(points[2:], points[:-2], out=across[1:-1])
+    after, before = (points[0], points[-1]) if closed else (points[-1], points[0])
+    np.subtract(points[1], before, out=across[0])
+    np.subtract(after, points[-2], out=across[-1])
 
 
 @dataclass(frozen=True, eq=False)

@@ -21,7 +21,7 @@ from numpy.typing import ArrayLike
 
 from plusedit.geometry.arrays import LARGEST, Floats
 from plusedit.geometry.bases import Basis
-from plusedit.geometry.blend import Blend, Grid, blend, blend_at, parameters_of
+from plusedit.geometry.blend import Blend, Grid, blend_at, parameters_of
 from plusedit.geometry.matrices import Matrix, dense
 from plusedit.geometry.net import ControlNet
 from plusedit.geometry.planes import ControlPlanes
@@ -162,10 +162,11 @@ def sandwich(left: Matrix, net: Floats, right: Matrix) -> Floats:
     Two products cost O(a n m + a m b) for each coordinate; the sum as written, O(a n m b).
     """
     n, m, dim = net.shape
-    rows = (left @ net.reshape(n, m * dim)).reshape(-1, m, dim)
-    across = np.ascontiguousarray(rows.transpose(1, 0, 2))
-    product = (right @ across.reshape(m, -1)).reshape(-1, len(rows), dim)
-    return np.ascontiguousarray(product.transpose(1, 0, 2))
+    by_columns = np.ascontiguousarray(net.transpose(1, 0, 2)).reshape(m, n * dim)
+    rows = (right @ by_columns).reshape(-1, n, dim)
+    # Turned round here, where there are few rows, and not afterwards, where there are many.
+    lines = np.ascontiguousarray(rows.transpose(1, 0, 2)).reshape(n, -1)
+    return np.asarray(left @ lines).reshape(-1, len(rows), dim)
 
 
 def paired(left: Matrix, net: Floats, right: Matrix) -> Floats:
@@ -198,12 +199,18 @@ def _divided(tops: list[Floats], below: list[Floats]) -> tuple[Floats, ...]:
     return at, by_u, by_v, by_uu, by_uv, by_vv
 
 
+@lru_cache(maxsize=48)
+def _blend(basis: Basis, grid: Grid, derivative: int = 0) -> Blend:
+    """As `blend`, but of local bases always banded: the products here are with wide rows."""
+    return blend_at(basis, grid.parameters, derivative)
+
+
 @lru_cache(maxsize=8)
 def terms(
     basis_u: Basis, basis_v: Basis, planes: ControlPlanes, grid_u: Grid, grid_v: Grid
 ) -> tuple[Floats, Floats]:
     """The two terms that s weighs, (m_u, m_v, 3) each: the classical surface and the plus term."""
-    by_u, by_v = blend(basis_u, grid_u), blend(basis_v, grid_v)
+    by_u, by_v = _blend(basis_u, grid_u), _blend(basis_v, grid_v)
     along_u, along_v = planes.directions(closed_u=basis_u.closed, closed_v=basis_v.closed)
     if planes.weights is None:
         base = sandwich(by_u.values, planes.points, by_v.values)
@@ -236,8 +243,8 @@ def tangent_terms(
     basis_u: Basis, basis_v: Basis, planes: ControlPlanes, grid_u: Grid, grid_v: Grid
 ) -> TangentTerms:
     """What points, tangents and normals are made of at every pair of parameters of two grids."""
-    by_u = [blend(basis_u, grid_u, r) for r in (0, 1)]
-    by_v = [blend(basis_v, grid_v, r) for r in (0, 1)]
+    by_u = [_blend(basis_u, grid_u, r) for r in (0, 1)]
+    by_v = [_blend(basis_v, grid_v, r) for r in (0, 1)]
     weights = planes.unit_weights[..., None]
     points = weights * planes.points
     along_u, along_v = weights * planes.directions(closed_u=basis_u.closed, closed_v=basis_v.closed)
