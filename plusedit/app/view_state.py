@@ -171,11 +171,11 @@ class ViewState:
     def show_design(self, design: Design) -> None:
         """Set the view up as the design says; as the person likes it where it says nothing."""
         self._panes.set_options(options_of(design.view) if design.view else self._own())
-        self._show_plane(design)
-        self._panes.set_space_camera(space_camera_of(design.view, (800.0, 600.0)))
         said = panes_of(design.view)
         self._is_chosen = said is not None
         self._panes.show_panes(said or ("both" if design.is_spatial else "2d"))
+        self._show_plane(design)
+        self._panes.set_space_camera(space_camera_of(design.view, (800.0, 600.0)))
         self.changed.emit()
 
     def _show_plane(self, design: Design) -> None:
@@ -185,7 +185,7 @@ class ViewState:
             plane.set_camera(camera)
         elif len(design):
             plane.set_projection("top")
-            plane.frame_all()
+            plane.frame_at_next_paint()
         else:
             plane.set_camera(PlaneCamera(plane.camera.size))
 

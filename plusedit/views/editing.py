@@ -92,6 +92,11 @@ class Editing(Wayfinding[C]):
         """See the whole design."""
         self._frame(None)
 
+    def frame_at_next_paint(self) -> None:
+        """See the whole design, in the size that the view has by then."""
+        self._frame_at_first = True
+        self.update()
+
     def frame_selected(self) -> None:
         """See the selected shapes, or the whole design if there are none."""
         self._frame(self._session.selection.shapes or None)

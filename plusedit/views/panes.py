@@ -143,7 +143,9 @@ class Panes(QSplitter):
         self._camera_at_first = camera
         if self.space is not None:
             if camera is None:
-                self.space.frame_all()
+                # From the usual side, whatever the design before was seen from.
+                self.space.set_camera(SpaceCamera(self.space.camera.size))
+                self.space.frame_at_next_paint()
             else:
                 self.space.set_camera(replace(camera, size=self.space.camera.size))
 
