@@ -18,6 +18,7 @@ from plusedit.geometry.bases import Basis, is_local
 from plusedit.geometry.bases.rag import RationalGaussian
 from plusedit.geometry.blend import Grid
 from plusedit.geometry.curve import PlusCurve
+from plusedit.geometry.surface import PlusSurface
 
 EVEN = 8.0  # ratio of weights up to which nothing sudden happens
 SAMPLES = 4  # to the piece: a piece is taken for a polynomial of that degree
@@ -42,7 +43,13 @@ def pieces(curve: PlusCurve) -> Grid:
 
     The same object for the same basis, so that what is worked out there can be kept.
     """
-    return _pieces(curve.basis, _contrast(curve))
+    return _pieces(curve.basis, _contrast(curve.lines.unit_weights))
+
+
+def surface_pieces(surface: PlusSurface) -> tuple[Grid, Grid]:
+    """The same by u and by v."""
+    contrast = _contrast(surface.planes.unit_weights)
+    return _pieces(surface.basis_u, contrast), _pieces(surface.basis_v, contrast)
 
 
 def degree(basis: Basis) -> int:
@@ -54,9 +61,8 @@ def degree(basis: Basis) -> int:
     return min(basis.order, SMOOTH) if basis.closed else basis.order
 
 
-def _contrast(curve: PlusCurve) -> int:
+def _contrast(weights: Floats) -> int:
     """The logarithm of the largest ratio of weights, rounded up; 0 where it does not matter."""
-    weights = curve.lines.unit_weights
     ratio = 1.0 / float(weights.min())
     return 0 if ratio <= EVEN else ceil(log(ratio))
 
