@@ -81,10 +81,15 @@ def _shape(
         if selected:
             yield from direction_arrow(geometry, camera)
         return
-    grids = surface_grids(geometry, camera)
-    color = shape.style.color or "plus"
     yield from surface_line_items(
-        shape, geometry, grids, color=color, selected=selected, inner=options.isolines, glow=glow
+        shape,
+        geometry,
+        camera,
+        surface_grids(geometry, camera),
+        color=shape.style.color or "plus",
+        selected=selected,
+        inner=options.isolines,
+        glow=glow,
     )
 
 

@@ -20,6 +20,7 @@ from plusedit.scene.isolines import isoline_items, isolines
 from plusedit.scene.items import Item, Label, Patch, Polyline, Segments
 from plusedit.scene.options import ViewOptions
 from plusedit.scene.overlays import in_order
+from plusedit.scene.silhouettes import silhouette
 
 WIDTH = 2.0  # of a curve whose style says nothing
 EDGE = 1.5  # of the edges of a surface
@@ -68,6 +69,7 @@ def curve_items(
 def surface_line_items(
     shape: Shape,
     surface: PlusSurface,
+    camera: Camera,
     grids: Grids,
     *,
     color: str,
@@ -75,18 +77,18 @@ def surface_line_items(
     inner: bool = True,
     glow: bool = True,
 ) -> Iterator[Item]:
-    """The edges of a surface in that color, on a glow where it is selected, and lines within.
+    """The edges and the silhouette of a surface in that color, with a glow where it is selected.
 
-    A surface without edges, such as a torus, always has the lines within.
+    With `inner` the lines on it, too.
     """
-    lines = isolines(surface, grids)
-    if inner or not lines.edges:
+    if inner:
         yield from isoline_items(surface, grids, FAINT if shape.locked else "")
     width = EDGE if shape.style.width is None else max(shape.style.width, THINNEST)
-    for points in lines.edges:
-        if selected and glow:
-            yield Polyline(points, GLOW, width + HALO)
-        yield Polyline(points, color + DIM if shape.locked else color, width)
+    color = color + DIM if shape.locked else color
+    outlines = (*isolines(surface, grids).edges, *silhouette(surface, camera, grids))
+    if selected and glow:
+        yield from (Polyline(points, GLOW, width + HALO) for points in outlines)
+    yield from (Polyline(points, color, width) for points in outlines)
 
 
 def handle_items(
