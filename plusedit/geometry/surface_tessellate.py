@@ -19,6 +19,7 @@ from plusedit.geometry.surface import PlusSurface
 
 ROUNDS = 60  # a jump between two neighboring doubles is found in 52 halvings
 PARTS = 8  # at most, of one interval in one round
+COARSER = 1.25  # factor by which the tolerance is raised while too many points are asked for
 SAFE = 0.9  # of the tolerance: between the samples the surface may stray a little more
 BLOCK = 1 << 18  # points that are worked on at once
 START = 4.0  # a first grid of more than this share of what is allowed is made of knots alone
@@ -58,8 +59,8 @@ def surface_tessellation(
 
     Both increase from 0 to 1 and hold every knot. `tolerance` is in the unit of the points; it
     counts for the chords along u and v as well as inside the cells. Where that would ask for a
-    grid of more than `most` points, the worst places are made as fine as those allow; only for
-    knots alone there may be more.
+    grid of more than `most` points it is raised until those do; only for knots alone there may
+    be more.
 
     Raises ValueError if the tolerance is not positive.
     """
@@ -67,25 +68,23 @@ def surface_tessellation(
         raise ValueError(f"tolerance: must be positive, got {tolerance}")
     scale = _scale(surface)
     surface = _scaled(surface, 1.0 / scale)
+    allowed = SAFE * tolerance / scale
     u, v = _start(surface, most)
     unsettled = np.ones((len(u) - 1, len(v) - 1), dtype=np.bool_)
     for _ in range(ROUNDS):
         strays = _strays(surface, u, v, unsettled)
-        allowed = max(SAFE * tolerance / scale, strays.rounding)
-        unsettled &= strays.most > allowed
-        by_u, by_v = strays.parts(allowed, unsettled)
-        by_u, by_v = np.where(_narrow(u), 1, by_u), np.where(_narrow(v), 1, by_v)
-        wanted = len(u) + int((by_u - 1).sum()), len(v) + int((by_v - 1).sum())
-        if wanted == (len(u), len(v)):
+        allowed = max(allowed, strays.rounding)
+        by_u, by_v = strays.parts(allowed, _narrow(u), _narrow(v))
+        asked = allowed
+        while by_u.sum() + by_v.sum() > sum(unsettled.shape) and _count(by_u, by_v) > most:
+            allowed *= COARSER
+            by_u, by_v = strays.parts(allowed, _narrow(u), _narrow(v))
+        if by_u.sum() + by_v.sum() == sum(unsettled.shape):
             break
-        is_last = wanted[0] * wanted[1] > most
-        if is_last:
-            worst = np.where(unsettled, strays.most, 0.0)
-            by_u, by_v = _afforded((by_u, by_v), (worst.max(axis=1), worst.max(axis=0)), most)
         u, v = _cut(u, by_u), _cut(v, by_v)
-        if is_last:
+        if allowed > asked:
             break
-        unsettled = unsettled.repeat(by_u, axis=0).repeat(by_v, axis=1)
+        unsettled = (strays.most > allowed).repeat(by_u, axis=0).repeat(by_v, axis=1)
     return Grid(u), Grid(v)
 
 
@@ -119,8 +118,10 @@ class _Strays:
     rounding: float
     """a distance that says nothing"""
 
-    def parts(self, allowed: float, unsettled: NDArray[np.bool_]) -> tuple[Split, Split]:
-        """Into how many parts each interval by u and by v is to be cut.
+    def parts(
+        self, allowed: float, narrow_u: NDArray[np.bool_], narrow_v: NDArray[np.bool_]
+    ) -> tuple[Split, Split]:
+        """Into how many parts each interval by u and by v is to be cut; narrow ones stay whole.
 
         In a cell the errors along u and v add up, or cancel in part; scaled, or with the twist
         shared among them, they add up to what was found. The fewest cells that bring
@@ -134,9 +135,13 @@ class _Strays:
         half = allowed / 2.0
         by_u = np.where(e_u > half, e_u / (allowed - np.minimum(e_v, half)), 1.0)
         by_v = np.where(e_v > half, e_v / (allowed - np.minimum(e_u, half)), 1.0)
-        parts = (np.where(unsettled, each, 1.0) for each in (by_u, by_v))
-        first, second = (np.clip(np.ceil(np.sqrt(p)), 1, PARTS).astype(np.intp) for p in parts)
-        return first.max(axis=1), second.max(axis=0)
+        far = self.most > allowed
+        by_u, by_v = np.where(far, by_u, 1.0).max(axis=1), np.where(far, by_v, 1.0).max(axis=0)
+        first, second = (np.clip(np.ceil(np.sqrt(by)), 1, PARTS) for by in (by_u, by_v))
+        return (
+            np.where(narrow_u, 1, first).astype(np.intp),
+            np.where(narrow_v, 1, second).astype(np.intp),
+        )
 
 
 def _strays(surface: PlusSurface, u: Floats, v: Floats, wanted: NDArray[np.bool_]) -> _Strays:
@@ -151,7 +156,8 @@ def _strays(surface: PlusSurface, u: Floats, v: Floats, wanted: NDArray[np.bool_
         largest = max(largest, float(np.abs(points).max()))
         cells = points.reshape(len(some), len(SAMPLED), len(columns), len(SAMPLED), 3)
         found[:, some[:, None], columns] = _of_cells(np.moveaxis(cells, 1, 2))
-    return _Strays(*found, 16.0 * float(np.finfo(np.float64).eps) * largest)
+    along_u, along_v, farthest = found
+    return _Strays(along_u, along_v, farthest, 16.0 * float(np.finfo(np.float64).eps) * largest)
 
 
 def _within(u: Floats, rows: NDArray[np.intp]) -> Floats:
@@ -193,7 +199,7 @@ def _inside(points: Floats) -> Floats:
     flat = np.einsum("pi,abpq,qj->abij", shares, ends, shares)
     twist = np.abs(ends[..., 0, 0] + ends[..., 1, 1] - ends[..., 0, 1] - ends[..., 1, 0]) / 4.0
     strays: Floats = np.abs(heights[:, :, 1:-1, 1:-1] - flat) + twist[..., None, None] * FOLD
-    return strays.max(axis=(2, 3))
+    return np.asarray(strays.max(axis=(2, 3)))
 
 
 def _narrow(u: Floats) -> NDArray[np.bool_]:
@@ -202,20 +208,9 @@ def _narrow(u: Floats) -> NDArray[np.bool_]:
     return narrow
 
 
-def _afforded(
-    parts: tuple[Split, Split], worst: tuple[Floats, Floats], most: int
-) -> tuple[Split, Split]:
-    """The same numbers of parts, but 1 for the smallest errors, so that `most` points suffice."""
-    split = len(parts[0])
-    more, errors = np.concatenate(parts) - 1, np.concatenate(worst)
-    order = np.lexsort((-errors, more == 0))
-    is_u = order < split
-    by_u = split + 1 + np.cumsum(np.where(is_u, more[order], 0))
-    by_v = len(parts[1]) + 1 + np.cumsum(np.where(is_u, 0, more[order]))
-    afforded = np.zeros_like(more)
-    taken = order[by_u * by_v <= most]
-    afforded[taken] = more[taken]
-    return afforded[:split] + 1, afforded[split:] + 1
+def _count(by_u: Split, by_v: Split) -> int:
+    """Of the points of a grid with intervals cut into so many parts."""
+    return (int(by_u.sum()) + 1) * (int(by_v.sum()) + 1)
 
 
 def _cut(u: Floats, parts: Split) -> Floats:
