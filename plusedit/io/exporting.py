@@ -28,6 +28,8 @@ from plusedit.io.json_text import shown
 from plusedit.io.surface_mesh import Strand, SurfaceMesh, meshed
 
 SEEN = Grid.uniform(33)  # where the size of a design is measured
+MOST = 1_000_000  # points of one surface
+NEARLY = 0.9  # of the most: as many are only made where more were wanted
 
 
 @dataclass(frozen=True)
@@ -75,7 +77,7 @@ class Report:
     tolerance: float
     """a length"""
     left_out: tuple[str, ...]
-    """one sentence a shape"""
+    """one sentence for each shape, and for each that is coarser than was asked"""
 
     def __str__(self) -> str:
         """Such as "2 surfaces and 1 curve: 800 points, 760 faces, within 0.0021"."""
@@ -115,7 +117,12 @@ def export_design(
         entry.write(stream, meshes, strands)
     points = sum(len(strand.points) for strand in strands) + sum(map(len, meshes))
     faces = sum(sum(m.face_counts) if entry.has_quads else m.triangle_count for m in meshes)
-    return Report(len(meshes), len(strands), points, faces, length, left_out)
+    coarse = tuple(map(_coarse, (mesh for mesh in meshes if len(mesh) > NEARLY * MOST)))
+    return Report(len(meshes), len(strands), points, faces, length, left_out + coarse)
+
+
+def _coarse(mesh: SurfaceMesh) -> str:
+    return f"{shown(mesh.name)} may be coarser than asked: no more than {MOST} points are made"
 
 
 def _chosen(
@@ -164,7 +171,7 @@ def _size(shapes: list[Shape]) -> float:
 
 
 def _mesh(shape: Shape, surface: PlusSurface, tolerance: float, entry: Export) -> SurfaceMesh:
-    by_u, by_v = surface_tessellation(surface, tolerance)
+    by_u, by_v = surface_tessellation(surface, tolerance, MOST)
     mesh = meshed(
         surface,
         by_u.parameters,

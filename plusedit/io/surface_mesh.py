@@ -17,7 +17,7 @@ from plusedit.geometry.arrays import Floats
 from plusedit.geometry.surface import PlusSurface
 from plusedit.io.mesh_faces import Faces, Numbers, cells, faces_of
 
-BLOCK = 32_768  # points that are worked on at once
+BLOCK = 16_384  # points that are worked on at once
 POLE = 1e-9  # of the size: a side shorter than that is a single point
 STILL = 1e-9  # of the size, or in radians: below, two tangents span no plane
 ASIDE = 1e-5  # of the way to the middle, where there is a normal again

@@ -9,6 +9,7 @@ from plusedit.document.design import Design
 from plusedit.document.shape import NOTHING, NotDrawn, Shape
 from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.planes import ControlPlanes
+from plusedit.io import exporting
 from plusedit.io.exporting import USUAL, Report, Tolerance, export_design, export_of
 from plusedit.io.formats import FormatError
 from tests.designs import a_curve
@@ -124,6 +125,16 @@ def test_as_many_faces_are_told_as_are_written(tmp_path, suffix):
     report = export_design(DESIGN, tmp_path / f"out.{suffix}", ["sail"])
     [part] = READERS[suffix]((tmp_path / f"out.{suffix}").read_bytes())
     assert report.faces == len(part.faces)
+
+
+def test_more_points_than_are_made_leave_a_note(tmp_path, monkeypatch):
+    monkeypatch.setattr(exporting, "MOST", 2000)
+    fine, coarse = (
+        export_design(DESIGN, tmp_path / "out.stl", ["sail"], Tolerance(t)) for t in (1e-9, 0.1)
+    )
+    assert fine.points <= 2000
+    assert fine.left_out == ('"Sail" may be coarser than asked: no more than 2000 points are made',)
+    assert coarse.left_out == ()
 
 
 def test_a_report_is_a_sentence():
