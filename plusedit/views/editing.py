@@ -124,9 +124,11 @@ class Editing(Wayfinding[C]):
         self.update()
 
     def _at_rest(self) -> None:
-        """There is time now to draw all as well as can be."""
+        """There is time to draw all as well as can be, and to look what is under the pointer."""
         self._is_moving = False
         self.update()
+        if self._pointer is not None and not self._gestures.is_busy and not self.is_panned:
+            self._gestures.move(self._pointer)
 
     def _told(self, feedback: Feedback) -> None:
         self._feedback = feedback

@@ -2,17 +2,27 @@
 
 from collections.abc import Callable
 from dataclasses import replace
-from typing import Generic, TypeVar
+from typing import Any, ClassVar, Generic, Protocol, Self, TypeVar
 
 import numpy as np
 from PySide6.QtCore import QEasingCurve, QObject, QVariantAnimation, Signal
 
-from plusedit.scene.camera import PlaneCamera
-from plusedit.scene.space_camera import SpaceCamera
+from plusedit.scene.camera import Camera, PlaneCamera
 
 GLIDE = 160  # milliseconds
 
-C = TypeVar("C", PlaneCamera, SpaceCamera)
+
+class MovingCamera(Camera, Protocol):
+    """A camera that a view can be moved with."""
+
+    __dataclass_fields__: ClassVar[dict[str, Any]]
+
+    def panned(self, by: tuple[float, float]) -> Self:
+        """Moved so that what is seen shifts by that many pixels to the right and downwards."""
+        ...
+
+
+C = TypeVar("C", bound=MovingCamera)
 
 
 class Navigation(QObject, Generic[C]):

@@ -4,7 +4,7 @@ The wheel and pinching zoom at the pointer; the middle button, Space and drag, a
 hold of the view. What such a hold does is said by the view.
 """
 
-from typing import TYPE_CHECKING, Any, Generic
+from typing import TYPE_CHECKING, Generic
 
 from PySide6.QtCore import QEvent, QPointF, Qt, Signal
 from PySide6.QtGui import (
@@ -180,7 +180,7 @@ class Wayfinding(Base, Generic[C]):
         self._hold_space(False)
         super().focusOutEvent(event)
 
-    def event(self, event: QEvent) -> Any:
+    def event(self, event: QEvent) -> bool:
         pinch = Qt.NativeGestureType.ZoomNativeGesture
         if isinstance(event, QNativeGestureEvent) and event.gestureType() == pinch:
             if self.may_navigate():
