@@ -78,13 +78,16 @@ class Report:
     """a length"""
     left_out: tuple[str, ...]
     """one sentence for each shape, and for each that is coarser than was asked"""
+    is_coarser: bool = False
+    """whether one is"""
 
     def __str__(self) -> str:
         """Such as "2 surfaces and 1 curve: 800 points, 760 faces, within 0.0021"."""
+        within = "" if self.is_coarser else f", within {self.tolerance:.2g}"
         kinds = [("surface", self.surfaces), ("curve", self.curves)]
         shapes = " and ".join(of_number(count, noun) for noun, count in kinds if count)
         counts = f"{of_number(self.points, 'point')}, {of_number(self.faces, 'face')}"
-        return f"{shapes}: {counts}, within {self.tolerance:.2g}"
+        return f"{shapes}: {counts}{within}"
 
 
 def export_of(path: str | os.PathLike[str]) -> Export:
@@ -118,7 +121,8 @@ def export_design(
     points = sum(len(strand.points) for strand in strands) + sum(map(len, meshes))
     faces = sum(sum(m.face_counts) if entry.has_quads else m.triangle_count for m in meshes)
     coarse = tuple(map(_coarse, (mesh for mesh in meshes if len(mesh) > NEARLY * MOST)))
-    return Report(len(meshes), len(strands), points, faces, length, left_out + coarse)
+    told = left_out + coarse
+    return Report(len(meshes), len(strands), points, faces, length, told, bool(coarse))
 
 
 def _coarse(mesh: SurfaceMesh) -> str:

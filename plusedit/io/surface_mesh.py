@@ -98,10 +98,11 @@ class SurfaceMesh:
         counts = [(len(faces.quads), len(faces.triangles)) for faces in self.faces()]
         return sum(quads for quads, _ in counts), sum(triangles for _, triangles in counts)
 
-    @cached_property
+    @property
     def triangle_count(self) -> int:
         """How many triangles there are once every quad is cut in two."""
-        return sum(len(faces.cut()) for faces in self.faces())
+        quads, triangles = self.face_counts
+        return 2 * quads + triangles
 
     @cached_property
     def welded(self) -> tuple[Numbers, Numbers]:
@@ -208,6 +209,6 @@ def _outward(mesh: SurfaceMesh) -> SurfaceMesh:
     points = mesh.scaled - mesh.scaled.mean(axis=0)
     volume = 0.0
     for faces in mesh.faces():
-        a, b, c = points[faces.cut().T]
-        volume += float(np.einsum("kd,kd->", a, np.cross(b, c)))
+        for a, b, c in (faces.quads.T[:3], faces.quads.T[[0, 2, 3]], faces.triangles.T):
+            volume += float(np.einsum("kd,kd->", points[a], np.cross(points[b], points[c])))
     return replace(mesh, normals=-mesh.normals, turned=True) if volume < 0.0 else mesh
