@@ -31,6 +31,7 @@ MOST, MOST_OF_DRAFT = 1 << 16, 1 << 13  # points of one grid, unless its knots a
 FEWEST = 8  # intervals that are looked at in each direction
 PARTS = 4  # of an interval, a power of two: where they end it is compared with its chord
 BESIDE = 0.5  # of the view, around it: what lies there is as fine as what is seen
+NEAR = 24.0  # pixels that control planes may move before grids are looked at anew
 WASTE = 2.5  # times as many points as there have to be, up to which a grid serves on
 
 Cuts = NDArray[np.int8]
@@ -51,16 +52,26 @@ class Strays:
     """(m_u + 1, m_v)"""
 
 
+@dataclass(frozen=True, eq=False)
+class _Recent:
+    """The last grids that were made for surfaces of two bases, and where they were found to do."""
+
+    cuts: tuple[Cuts, Cuts]
+    camera: Camera
+    points: Floats
+    gradients: Floats
+
+
 @dataclass(eq=False)
 class _Kept:
     """What is known of one surface. It holds as long as the surface: neither ever changes."""
 
-    strays: Strays
+    strays: Strays | None = None
     grids: dict[tuple[Camera, bool], Grids] = field(default_factory=dict)
 
 
 _KEPT: "WeakKeyDictionary[PlusSurface, _Kept]" = WeakKeyDictionary()
-_RECENT: dict[tuple[Basis, Basis, bool], tuple[Cuts, Cuts]] = {}
+_RECENT: dict[tuple[Basis, Basis, bool], _Recent] = {}
 
 
 def surface_grids(surface: PlusSurface, camera: Camera, *, draft: bool = False) -> Grids:
@@ -71,7 +82,7 @@ def surface_grids(surface: PlusSurface, camera: Camera, *, draft: bool = False) 
     kept = _kept(surface)
     found = kept.grids.get((camera, draft))
     if found is None:
-        found = _grids(surface, kept.strays, camera, draft)
+        found = _grids(surface, camera, draft)
         while len(kept.grids) > 3:
             del kept.grids[next(iter(kept.grids))]
         kept.grids[camera, draft] = found
@@ -80,31 +91,58 @@ def surface_grids(surface: PlusSurface, camera: Camera, *, draft: bool = False) 
 
 def coarse_points(surface: PlusSurface) -> Floats:
     """(m, 3) points all over a surface: at its knots and some parameters between."""
-    return _kept(surface).strays.points.reshape(-1, 3)
+    return _strays_of(surface).points.reshape(-1, 3)
 
 
 def _kept(surface: PlusSurface) -> _Kept:
     kept = _KEPT.get(surface)
     if kept is None:
-        kept = _KEPT[surface] = _Kept(_strays(surface))
+        kept = _KEPT[surface] = _Kept()
     return kept
 
 
-def _grids(surface: PlusSurface, strays: Strays, camera: Camera, draft: bool) -> Grids:
+def _strays_of(surface: PlusSurface) -> Strays:
+    kept = _kept(surface)
+    if kept.strays is None:
+        kept.strays = _strays(surface)
+    return kept.strays
+
+
+def _grids(surface: PlusSurface, camera: Camera, draft: bool) -> Grids:
     """Grids fine enough for that view; those of the frame before if they are."""
-    in_pixels = _in_pixels(strays, camera)
-    tolerance = TOLERANCE * DRAFT if draft else TOLERANCE
-    most = MOST_OF_DRAFT if draft else MOST
-    need = _afforded(in_pixels, tolerance, most)
     key = (*surface.bases, draft)
     recent = _RECENT.get(key)
-    if recent is None or not _serves(recent, need):
-        recent = _afforded(in_pixels, AHEAD * tolerance, most)
+    if recent is None or not _is_near(recent, surface, camera):
+        cuts = _cuts_for(surface, camera, draft, None if recent is None else recent.cuts)
+        recent = _Recent(cuts, camera, surface.planes.points, surface.gradients)
         _remember(key, recent)
     by_u, by_v = (
-        _cut(basis, cuts.tobytes()) for basis, cuts in zip(surface.bases, recent, strict=True)
+        _cut(basis, cuts.tobytes()) for basis, cuts in zip(surface.bases, recent.cuts, strict=True)
     )
     return by_u, by_v
+
+
+def _is_near(recent: _Recent, surface: PlusSurface, camera: Camera) -> bool:
+    """Whether so little has moved since grids were found to do that they still must.
+
+    A facet strays much less than the control planes move that it follows.
+    """
+    if camera != recent.camera:
+        return False
+    moved = float(np.abs(surface.planes.points - recent.points).max())
+    turned = float(np.abs(surface.gradients - recent.gradients).max()) * max(surface.spacings)
+    return moved + turned <= NEAR * camera.pixel
+
+
+def _cuts_for(
+    surface: PlusSurface, camera: Camera, draft: bool, recent: tuple[Cuts, Cuts] | None
+) -> tuple[Cuts, Cuts]:
+    in_pixels = _in_pixels(_strays_of(surface), camera)
+    tolerance = TOLERANCE * DRAFT if draft else TOLERANCE
+    most = MOST_OF_DRAFT if draft else MOST
+    if recent is not None and _serves(recent, _afforded(in_pixels, tolerance, most)):
+        return recent
+    return _afforded(in_pixels, AHEAD * tolerance, most)
 
 
 def _strays(surface: PlusSurface) -> Strays:
@@ -190,9 +228,9 @@ def _serves(recent: tuple[Cuts, Cuts], need: tuple[Cuts, Cuts]) -> bool:
     return have <= max(4.0 * WASTE * want, MOST_OF_DRAFT / 4.0)
 
 
-def _remember(key: tuple[Basis, Basis, bool], cuts: tuple[Cuts, Cuts]) -> None:
+def _remember(key: tuple[Basis, Basis, bool], recent: _Recent) -> None:
     _RECENT.pop(key, None)
-    _RECENT[key] = cuts
+    _RECENT[key] = recent
     if len(_RECENT) > 64:
         del _RECENT[next(iter(_RECENT))]
 

@@ -6,7 +6,8 @@ a space curve, with the axes x, y and z and no rings. It has the same size at an
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from math import pi
+from functools import cached_property, lru_cache
+from math import pi, sqrt
 from typing import Literal
 
 import numpy as np
@@ -67,7 +68,11 @@ class Gizmo:
 
     def ring(self, axis: int) -> Floats:
         """(CORNERS + 1, 3) the circle about an axis, its end the same as its beginning."""
-        return circle(self.point, self.axes[axis], RADIUS * self.pixel)
+        return self._rings[axis]
+
+    @cached_property
+    def _rings(self) -> tuple[Floats, ...]:
+        return tuple(circle(self.point, axis, RADIUS * self.pixel) for axis in self.axes)
 
     def near_side(self, axis: int) -> NDArray[np.bool_]:
         """(CORNERS,) which parts of a ring are on the side of the eye, or seen from above."""
@@ -79,17 +84,26 @@ class Gizmo:
 
 def circle(center: Floats, axis: Floats, radius: float, corners: int = CORNERS) -> Floats:
     """(corners + 1, 3) points of a circle about a unit vector, counter-clockwise about it."""
-    first, second = across(axis)
-    angles = np.linspace(0.0, 2.0 * pi, corners + 1)[:, None]
-    points: Floats = center + radius * (np.cos(angles) * first + np.sin(angles) * second)
+    points: Floats = center + _unit_circle(corners) @ (radius * np.stack(across(axis)))
     return points
+
+
+@lru_cache(maxsize=8)
+def _unit_circle(corners: int) -> Floats:
+    """(corners + 1, 2)"""
+    angles = np.linspace(0.0, 2.0 * pi, corners + 1)
+    return np.stack([np.cos(angles), np.sin(angles)], axis=1)
 
 
 def across(axis: Floats) -> tuple[Floats, Floats]:
     """Two unit vectors (3,) that make a right-handed frame with a unit vector in third place."""
-    least = np.eye(3)[int(np.abs(axis).argmin())]
-    first = unit(np.cross(least, axis))
-    return first, np.cross(axis, first)
+    x, y, z = axis.tolist()
+    # The axis of the world that is least along it, times it; written out, as this is every frame.
+    least = min((abs(x), 0), (abs(y), 1), (abs(z), 2))[1]
+    a, b, c = ((0.0, -z, y), (z, 0.0, -x), (-y, x, 0.0))[least]
+    length = sqrt(a * a + b * b + c * c)
+    a, b, c = a / length, b / length, c / length
+    return np.array([a, b, c]), np.array([y * c - z * b, z * a - x * c, x * b - y * a])
 
 
 def gizmo_of(design: Design, selection: Selection, camera: Camera) -> Gizmo | None:
