@@ -24,14 +24,12 @@ from plusedit.views.gl.functions import Functions
 from plusedit.views.gl.ground import Ground, ground_of
 from plusedit.views.gl.meshes import Meshes
 from plusedit.views.gl.patches import Patches, frame_of
-from plusedit.views.gl.programs import Program
+from plusedit.views.gl.programs import Programs
 from plusedit.views.gl.sight import WHOLE, Box, Crop, Sight
 from plusedit.views.gl.tripod import tripod_camera, tripod_items
 
 HIDDEN = 0.3  # opacity of handles behind a surface
 PUSH = (1.0, 1.0)  # by which surfaces stand back so that lines on them are seen: slopes, steps
-STYLES = {"studio": 0, "matcap": 1}
-
 Flat: TypeAlias = Polyline | Segments | Markers | Polygon
 Solid: TypeAlias = Patch | Mesh
 Kinds: TypeAlias = tuple[list[Item], list[Item], list[Item]]
@@ -97,23 +95,15 @@ class SpaceArtist:
 
     def __init__(self, gl: Functions) -> None:
         self._gl = gl
-        self._programs = {
-            name: Program(gl, vertex, fragment)
-            for name, vertex, fragment in (
-                ("patch", "patch", "shade"),
-                ("mesh", "mesh", "shade"),
-                ("line", "line", "line"),
-                ("marker", "marker", "marker"),
-                ("fill", "fill", "fill"),
-            )
-        }
-        self._patches = Patches(gl, self._programs["patch"])
-        self._meshes = Meshes(gl, self._programs["mesh"])
+        self._programs = Programs(gl)
+        self._patches = Patches(gl, self._programs)
+        self._meshes = Meshes(gl, self._programs)
         self._faint = self._lines()
         self._flats = self._group()
         self._veils = self._group()
         self._handles: list[Group] = []
-        self._ground = self._lines()
+        self._fading = self._programs.named("line", "line", "FADING")
+        self._ground = Lines(gl, self._fading)
         self._tripod = [self._group() for _ in range(3)]
 
     def paint(
@@ -158,8 +148,7 @@ class SpaceArtist:
             lines.release()
         self._patches.release()
         self._meshes.release()
-        for program in self._programs.values():
-            program.release()
+        self._programs.release()
         self._handles = []
 
     # What is sent to the card
@@ -243,21 +232,19 @@ class SpaceArtist:
         gl.Enable(gl_names.BLEND)
 
     def _draw_solid(self, item: Solid, sight: Sight, theme: Theme, look: Look) -> None:
-        style = STYLES[look.shading]
+        styles = ("MATCAP",) if look.shading == "matcap" else ()
         if isinstance(item, Patch):
-            self._patches.draw(item, sight, theme, style)
+            self._patches.draw(item, sight, theme, *styles)
         else:
-            self._meshes.draw(item, sight, theme, style)
+            self._meshes.draw(item, sight, theme, *styles)
 
     def _draw_ground(self, ground: Ground, sight: Sight) -> None:
-        program = self._programs["line"]
-        program.use()
+        self._fading.use()
         near = ground.middle - self._ground.origin
-        program.set("fading", *near.tolist(), ground.reach)
+        self._fading.set("fading", *near.tolist(), ground.reach)
         self._gl.DepthMask(0)
         self._ground.draw(sight)
         self._gl.DepthMask(1)
-        program.set("fading", 0.0, 0.0, 0.0, 0.0)
 
     def _draw_lines(self, sight: Sight) -> None:
         gl = self._gl
@@ -309,12 +296,13 @@ class SpaceArtist:
     # What there is of its own
 
     def _group(self) -> Group:
-        gl, programs = self._gl, self._programs
-        marks = Marks(gl, programs["marker"])
-        return Group(Fills(gl, programs["fill"]), self._lines(), marks)
+        gl, named = self._gl, self._programs.named
+        marks = Marks(gl, named("marker", "marker"))
+        return Group(Fills(gl, named("fill", "fill")), self._lines(), marks)
 
     def _lines(self) -> Lines:
-        return Lines(self._gl, self._programs["line"])
+        named = self._programs.named
+        return Lines(self._gl, named("line", "line"), named("line", "line", "DASHED"))
 
 
 def _parted(items: Iterable[Item]) -> tuple[list[Solid], list[Flat]]:

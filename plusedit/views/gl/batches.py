@@ -26,7 +26,8 @@ class Batch:
     """Items of like kinds in one buffer, filled anew when they change."""
 
     def __init__(self, gl: Functions, program: Program) -> None:
-        self._gl, self._program = gl, program
+        self._gl = gl
+        self._program = program
         self._buffer, self._vertices = Buffer(gl), VertexArray(gl)
         self.items: Sequence[Item] = ()
         """what it holds"""
@@ -90,8 +91,10 @@ class Batch:
 class Lines(Batch):
     """Polylines, segments and outlines of polygons."""
 
-    def __init__(self, gl: Functions, program: Program) -> None:
+    def __init__(self, gl: Functions, program: Program, dashed: Program | None = None) -> None:
+        """With a program for lines of which some are dashed, where there may be such."""
         super().__init__(gl, program)
+        self._plain, self._dashed = program, dashed or program
         step = RECORD.itemsize
         # Four records in a row, of which the middle two are the ends of the segment.
         places = [Attribute(k, 4, k * step) for k in range(4)]
@@ -103,6 +106,7 @@ class Lines(Batch):
 
     def _records(self, items: Sequence[Item], theme: Theme, camera: SpaceCamera) -> Array:
         lines = [item for item in items if isinstance(item, Polyline | Segments | Polygon)]
+        self._program = self._dashed if self._depends_on_camera() else self._plain
         return records_of(strokes_of(lines), theme, self.origin, camera)
 
     def _draw(self, count: int) -> None:

@@ -38,6 +38,11 @@ class Buffer:
         self._gl.BufferData(self._kind, size, address(array), usage)
         self._capacity = size
 
+    def put_part(self, array: Array, first: int) -> None:
+        """Replace what it holds from byte `first` on."""
+        self.bind()
+        self._gl.BufferSubData(self._kind, first, array.nbytes, address(array))
+
     def release(self) -> None:
         """Free it."""
         self._gl.delete("Buffers", self.name)

@@ -9,12 +9,19 @@ from plusedit.scene.theme import Theme
 Shade = tuple[float, float, float, float]
 """Red, green, blue and opacity, from 0 to 1"""
 
-NOTHING: Shade = (0.0, 0.0, 0.0, 0.0)
-
 
 def shade_of(theme: Theme, color: str) -> Shade:
     """The color of an item in a theme."""
     return _shade(theme.color(color))
+
+
+def albedo_of(theme: Theme, color: str) -> Shade:
+    """How much light what has that color throws back, and its opacity.
+
+    Squares, as shaders take them for the curve between colors and light.
+    """
+    red, green, blue, opacity = shade_of(theme, color)
+    return red * red, green * green, blue * blue, opacity
 
 
 def word_of(theme: Theme, color: str) -> int:

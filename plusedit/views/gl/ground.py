@@ -1,6 +1,7 @@
 """The grid on the ground: lines in z = 0 around what is looked at, gone in the distance."""
 
 from dataclasses import dataclass
+from functools import lru_cache
 from math import pi
 
 import numpy as np
@@ -10,9 +11,8 @@ from plusedit.scene.graduation import graduation
 from plusedit.scene.items import Item, Segments
 from plusedit.scene.space_camera import SpaceCamera
 
-APART = 2.0  # times as far as the lines of the grid of a plane view
-FARTHEST = 1.15  # of the longer side of the view, from its middle
-PIECES = 20  # of each line: it fades from piece to piece
+APART = 3.0  # times as far as the lines of the grid of a plane view
+FARTHEST = 1.0  # of the longer side of the view, from its middle
 LOWEST = (0.02, 0.2)  # slope of the view: seen flatter the grid is gone, steeper it is clear
 ALIGNED = 1e-9  # radians
 
@@ -28,10 +28,12 @@ class Ground:
     """the distance from the middle at which nothing is left"""
 
 
+@lru_cache(maxsize=4)
 def ground_of(camera: SpaceCamera) -> Ground | None:
     """The ground of that view; None where it would be seen edge-on.
 
-    In the parallel front, back and side views the grid stands upright, in the plane that is seen.
+    The same for the same view. In the parallel front, back and side views the grid stands
+    upright, in the plane that is seen.
     """
     across = _across(camera)
     slope = abs(float(camera.toward[across]))
@@ -68,11 +70,11 @@ def _across(camera: SpaceCamera) -> int:
 
 
 def _lines(at: Floats, axis: int, along: int, middle: Floats, reach: float, color: str) -> Segments:
-    """Chords of the circle about the middle, each in pieces, where one coordinate is `at`."""
+    """Chords of the circle about the middle where one coordinate is `at`."""
     half = np.sqrt(np.maximum(reach**2 - (at - middle[axis]) ** 2, 0.0))
-    steps = np.linspace(-1.0, 1.0, PIECES + 1)
-    points = np.empty((len(at), PIECES + 1, 3))
-    points[:] = middle
-    points[..., axis] = at[:, None]
-    points[..., along] = middle[along] + half[:, None] * steps
-    return Segments(points[:, :-1].reshape(-1, 3), points[:, 1:].reshape(-1, 3), color)
+    starts = np.tile(middle, (len(at), 1))
+    starts[:, axis] = at
+    ends = starts.copy()
+    starts[:, along] -= half
+    ends[:, along] += half
+    return Segments(starts, ends, color)

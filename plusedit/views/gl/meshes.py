@@ -8,14 +8,14 @@ from plusedit.geometry.arrays import Floats
 from plusedit.scene.items import Mesh
 from plusedit.scene.theme import Theme
 from plusedit.views.gl.buffers import Attribute, Buffer, VertexArray
-from plusedit.views.gl.colors import NOTHING, shade_of
+from plusedit.views.gl.colors import albedo_of
 from plusedit.views.gl.functions import (
     ELEMENT_ARRAY_BUFFER,
     TRIANGLES,
     UNSIGNED_INT,
     Functions,
 )
-from plusedit.views.gl.programs import Program
+from plusedit.views.gl.programs import Programs
 from plusedit.views.gl.sight import Sight
 
 
@@ -51,8 +51,8 @@ class MeshBuffers:
 class Meshes:
     """All meshes that a frame shows."""
 
-    def __init__(self, gl: Functions, program: Program) -> None:
-        self._gl, self._program = gl, program
+    def __init__(self, gl: Functions, programs: Programs) -> None:
+        self._gl, self._programs = gl, programs
         self._held: dict[Mesh, MeshBuffers] = {}
 
     def show(self, meshes: Iterable[Mesh]) -> None:
@@ -64,17 +64,15 @@ class Meshes:
             if mesh not in self._held:
                 self._held[mesh] = MeshBuffers(self._gl, mesh)
 
-    def draw(self, mesh: Mesh, sight: Sight, theme: Theme, style: int) -> None:
+    def draw(self, mesh: Mesh, sight: Sight, theme: Theme, *styles: str) -> None:
         """Draw one of those that were shown, both of its sides or what is not culled."""
-        held, program = self._held[mesh], self._program
+        held = self._held[mesh]
+        program = self._programs.named("mesh", "shade", *styles)
         program.use()
         sight.show(program, held.origin)
         sight.show_light(program, held.origin)
-        program.set("opacity", 1.0)
-        program.set("front", *shade_of(theme, mesh.front))
-        program.set("back", *shade_of(theme, mesh.back))
-        program.set("wire", *NOTHING)
-        program.set_number("style", style)
+        program.set("front", *albedo_of(theme, mesh.front))
+        program.set("back", *albedo_of(theme, mesh.back))
         held.draw()
 
     def release(self) -> None:

@@ -16,18 +16,19 @@ from plusedit.geometry.arrays import Floats
 from plusedit.geometry.bases import Basis
 from plusedit.geometry.blend import Grid
 from plusedit.geometry.planes import ControlPlanes
-from plusedit.geometry.surface import PlusSurface, tangent_terms
+from plusedit.geometry.surface import PlusSurface
+from plusedit.geometry.surface_kernels import changed_rows, surface_buffers
 from plusedit.scene.items import Patch
 from plusedit.scene.theme import Theme
 from plusedit.views.gl.buffers import Attribute, Buffer, VertexArray
-from plusedit.views.gl.colors import NOTHING, shade_of
+from plusedit.views.gl.colors import albedo_of, shade_of
 from plusedit.views.gl.functions import (
     ELEMENT_ARRAY_BUFFER,
     TRIANGLES,
     UNSIGNED_INT,
     Functions,
 )
-from plusedit.views.gl.programs import Program
+from plusedit.views.gl.programs import Programs
 from plusedit.views.gl.sight import Box, Sight
 from plusedit.views.gl.triangles import grid_triangles
 
@@ -60,10 +61,14 @@ class Frame:
         """The largest extent of the control points."""
         return float((self.high - self.low).max())
 
-    @property
-    def origin(self) -> Floats:
-        """(3,) where coordinates are counted from: zero, or the middle of what is far off."""
+    def origin(self, before: Floats) -> Floats:
+        """(3,) where coordinates are counted from: zero, or the middle of what is far off.
+
+        The same as `before` while that is as good, so that what is dragged stays comparable.
+        """
         middle = (self.low + self.high) / 2.0
+        if np.abs(middle - before).max() <= FAR_OFF * self.size:
+            return before
         return middle if np.abs(middle).max() > FAR_OFF * self.size else np.zeros(3)
 
     def box(self, s: float) -> Box:
@@ -88,15 +93,6 @@ def frame_of(surface: PlusSurface) -> Frame:
     return frame
 
 
-def terms_of(key: Key, origin: Floats) -> tuple[Single, ...]:
-    """The six terms of a surface whose coordinates are counted from `origin`."""
-    planes, basis_u, basis_v, grid_u, grid_v = key
-    if origin.any():
-        planes = planes.with_points(planes.points - origin)
-    terms = tangent_terms(basis_u, basis_v, planes, grid_u, grid_v)
-    return tuple(np.ascontiguousarray(getattr(terms, name), np.float32) for name in TERMS)
-
-
 @lru_cache(maxsize=8)
 def _wheres(rows: int, columns: int) -> Single:
     """(rows, columns, 2) the numbers of the samples, by u and by v."""
@@ -118,6 +114,7 @@ class Lattice:
         self.triangles.put(triangles)
 
     def release(self) -> None:
+        """Free it."""
         self.where.release()
         self.triangles.release()
 
@@ -132,21 +129,42 @@ class PatchBuffers:
         for location, buffer in enumerate(self._buffers):
             self._vertices.read(buffer, 12, Attribute(location, 3))
         self._lattice: Lattice | None = None
-        self._sent: tuple[Single, ...] = ()
+        self._sent: Key | None = None
         self.origin: Floats = np.zeros(3)
+        """(3,) where coordinates are counted from"""
 
-    def fill(self, key: Key, lattice: Lattice, origin: Floats) -> None:
-        """Put in another surface; terms that are the same arrays as before stay."""
-        terms = terms_of(key, origin)
-        sent = self._sent or (None,) * len(terms)
-        for buffer, term, old in zip(self._buffers, terms, sent, strict=True):
-            if term is not old:
-                buffer.put(term)
-        self._sent, self.origin = terms, origin
+    def fill(self, key: Key, lattice: Lattice, frame: Frame) -> None:
+        """Put in another surface; of one that was dragged, what has moved."""
+        origin = frame.origin(self.origin)
+        planes, basis_u, basis_v, grid_u, grid_v = key
+        if origin.any():
+            planes = planes.with_points(planes.points - origin)
+        sent = self._sent
+        self._sent = (planes, basis_u, basis_v, grid_u, grid_v)
+        if sent is not None and sent[1:] == key[1:] and origin is self.origin:
+            self._change(self._sent, sent[0])
+        else:
+            terms = surface_buffers(basis_u, basis_v, planes, grid_u, grid_v)
+            for buffer, name in zip(self._buffers, TERMS, strict=True):
+                buffer.put(getattr(terms, name))
+        self.origin = origin
         if lattice is not self._lattice:
             self._vertices.read(lattice.where, 8, Attribute(len(TERMS), 2))
             lattice.triangles.bind()
             self._lattice = lattice
+
+    def suits(self, key: Key) -> bool:
+        """Whether it holds a surface on the same bases and grids."""
+        return self._sent is not None and self._sent[1:] == key[1:]
+
+    def _change(self, key: Key, before: ControlPlanes) -> None:
+        planes, basis_u, basis_v, grid_u, grid_v = key
+        changed = changed_rows(basis_u, basis_v, planes, before, grid_u, grid_v)
+        if changed is None:
+            return
+        first = changed.rows.start * len(grid_v) * 12
+        for buffer, name in zip(self._buffers, TERMS, strict=True):
+            buffer.put_part(getattr(changed.buffers, name), first)
 
     def draw(self) -> None:
         """Draw all triangles."""
@@ -155,6 +173,7 @@ class PatchBuffers:
             self._gl.DrawElements(TRIANGLES, self._lattice.count, UNSIGNED_INT, None)
 
     def release(self) -> None:
+        """Free it."""
         for buffer in self._buffers:
             buffer.release()
         self._vertices.release()
@@ -163,8 +182,8 @@ class PatchBuffers:
 class Patches:
     """All surfaces that a frame shows, and the buffers of those of the frame before."""
 
-    def __init__(self, gl: Functions, program: Program) -> None:
-        self._gl, self._program = gl, program
+    def __init__(self, gl: Functions, programs: Programs) -> None:
+        self._gl, self._programs = gl, programs
         self._held: dict[Key, PatchBuffers] = {}
         self._lattices: dict[tuple[int, int], Lattice] = {}
 
@@ -174,27 +193,29 @@ class Patches:
         spare = [self._held.pop(key) for key in list(self._held) if key not in wanted]
         for key, patch in wanted.items():
             if key not in self._held:
+                # Those that differ in control planes alone come first: a drag changes part of them.
+                spare.sort(key=lambda buffers: buffers.suits(key))
                 buffers = spare.pop() if spare else PatchBuffers(self._gl)
-                frame = frame_of(patch.surface)
-                buffers.fill(key_of(patch), self._lattice(patch), frame.origin)
+                buffers.fill(key, self._lattice(patch), frame_of(patch.surface))
                 self._held[key] = buffers
         for buffers in spare:
             buffers.release()
         self._forget_lattices()
 
-    def draw(self, patch: Patch, sight: Sight, theme: Theme, style: int) -> None:
+    def draw(self, patch: Patch, sight: Sight, theme: Theme, *styles: str) -> None:
         """Draw one of those that were shown, both of its sides or what is not culled."""
-        buffers, program = self._held[key_of(patch)], self._program
+        buffers = self._held[key_of(patch)]
+        wired = ("WIRE",) if patch.wire is not None else ()
+        program = self._programs.named("patch", "shade", *styles, *wired)
         program.use()
         sight.show(program, buffers.origin)
         sight.show_light(program, buffers.origin)
         program.set("s", patch.surface.s)
         program.set("least", POINTLIKE * frame_of(patch.surface).size)
-        program.set("opacity", 1.0)
-        program.set("front", *shade_of(theme, patch.front))
-        program.set("back", *shade_of(theme, patch.back))
-        program.set("wire", *(NOTHING if patch.wire is None else shade_of(theme, patch.wire)))
-        program.set_number("style", style)
+        program.set("front", *albedo_of(theme, patch.front))
+        program.set("back", *albedo_of(theme, patch.back))
+        if patch.wire is not None:
+            program.set("wire", *shade_of(theme, patch.wire))
         buffers.draw()
 
     def release(self) -> None:

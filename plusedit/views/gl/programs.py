@@ -26,10 +26,13 @@ FOLDER = Path(__file__).parent / "shaders"
 class Program:
     """A vertex and a fragment shader, linked; attributes have the locations they declare."""
 
-    def __init__(self, gl: Functions, vertex: str, fragment: str) -> None:
-        """The files shaders/`vertex`.vert and shaders/`fragment`.frag."""
+    def __init__(self, gl: Functions, vertex: str, fragment: str, *defined: str) -> None:
+        """The files shaders/`vertex`.vert and shaders/`fragment`.frag, with names defined."""
         self._gl = gl
+        self._head = HEAD + "".join(f"#define {name}\n" for name in defined)
         self._places: dict[str, int] = {}
+        self.told: object = None
+        """what it was last told that holds for a whole frame"""
         self.name: int = gl.CreateProgram()
         kinds = ((VERTEX_SHADER, f"{vertex}.vert"), (FRAGMENT_SHADER, f"{fragment}.frag"))
         shaders = [self._compiled(kind, file) for kind, file in kinds]
@@ -82,7 +85,7 @@ class Program:
     def _compiled(self, kind: int, file: str) -> int:
         gl = self._gl
         shader: int = gl.CreateShader(kind)
-        text = ctypes.c_char_p((HEAD + _source(file)).encode())
+        text = ctypes.c_char_p((self._head + _source(file)).encode())
         gl.ShaderSource(shader, 1, ctypes.byref(text), None)
         gl.CompileShader(shader)
         if not self._status(gl.GetShaderiv, shader, COMPILE_STATUS):
@@ -100,6 +103,28 @@ class Program:
         text = ctypes.create_string_buffer(max(length, 1))
         getattr(gl, f"Get{kind}InfoLog")(name, len(text), None, text)
         return text.value.decode("utf-8", "replace").strip()
+
+
+class Programs:
+    """All programs of a context, compiled when they are first asked for."""
+
+    def __init__(self, gl: Functions) -> None:
+        self._gl = gl
+        self._made: dict[tuple[str, ...], Program] = {}
+
+    def named(self, vertex: str, fragment: str, *defined: str) -> Program:
+        """The program of those shaders with those names defined; the same at every call."""
+        key = (vertex, fragment, *defined)
+        program = self._made.get(key)
+        if program is None:
+            program = self._made[key] = Program(self._gl, *key)
+        return program
+
+    def release(self) -> None:
+        """Free all of them."""
+        for program in self._made.values():
+            program.release()
+        self._made = {}
 
 
 @cache

@@ -66,20 +66,29 @@ class Sight:
         moved = self.matrix.copy()
         moved[:, 3] = self.matrix @ np.append(origin, 1.0)
         program.set_matrix("world_to_clip", moved)
+        if program.told is not self:
+            program.told = self
+            self._show_frame(program)
+
+    def show_light(self, program: Program, origin: Floats) -> None:
+        """Tell a program in use, besides, where the eye is."""
+        program.set("eye", *(self.camera.axes_of_view @ (self._eye - origin)).tolist())
+
+    @cached_property
+    def _eye(self) -> Floats:
+        camera = self.camera
+        return camera.eye if camera.perspective else np.array(camera.target)
+
+    def _show_frame(self, program: Program) -> None:
+        """What is the same for all that a frame draws."""
         program.set("size", *self.size)
         program.set("crop", *self.crop)
         program.set("pull", *self.pull)
         program.set("ratio", self.ratio)
-
-    def show_light(self, program: Program, origin: Floats) -> None:
-        """Tell a program in use, besides, where the eye is and what is up."""
-        camera = self.camera
-        axes = camera.axes_of_view
-        eye = camera.eye if camera.perspective else np.array(camera.target)
+        axes = self.camera.axes_of_view
         program.set_matrix("axes", axes)
-        program.set("eye", *(axes @ (eye - origin)).tolist())
         program.set("up", *axes[:, 2].tolist())
-        program.set("parallel", 0.0 if camera.perspective else 1.0)
+        program.set("parallel", 0.0 if self.camera.perspective else 1.0)
 
 
 _CORNERS = np.indices((2, 2, 2)).reshape(3, 8).T.astype(np.bool_)

@@ -22,6 +22,7 @@ RECORD: Final = np.dtype(
     [("at", "<f4", 3), ("kind", "<f4"), ("color", "<u4"), ("width", "<f4"), ("before", "<f4")]
 )
 GAP, GOES_ON = -1.0, -2.0
+MET = 1e-9  # of the size of a line: how near its ends are where it is closed
 KINDS = {"solid": 0.0, "dash": 1.0, "dot": 2.0}
 
 Records = NDArray[Any]
@@ -100,7 +101,7 @@ def _fill(
         return
     records["at"][1:-1] = points
     records["kind"][1:-1] = kind
-    if len(points) > 3 and (points[0] == points[-1]).all():
+    if len(points) > 3 and np.abs(points[0] - points[-1]).max() <= MET * np.ptp(points):
         records["at"][[0, -1]] = points[[-2, 1]]
         records["kind"][[0, -1]] = GOES_ON
     if kind:

@@ -1,6 +1,7 @@
 """The axes in a corner of the view: they show how it is turned, and clicks turn it."""
 
 from dataclasses import replace
+from functools import lru_cache
 from typing import Final
 
 import numpy as np
@@ -53,10 +54,11 @@ def axis_under(pixel: Floats, camera: SpaceCamera) -> str | None:
     return ENDS[int(nearest)][0]
 
 
-def tripod_items(camera: SpaceCamera, hovered: str | None = None) -> list[list[Item]]:
+@lru_cache(maxsize=4)
+def tripod_items(camera: SpaceCamera, hovered: str | None = None) -> tuple[list[Item], ...]:
     """What to draw with `tripod_camera`: arms, discs, letters, each before the one before.
 
-    `hovered` is the view whose end is under the pointer.
+    `hovered` is the view whose end is under the pointer. The same items for the same view.
     """
     arms: list[Item] = []
     discs: list[Item] = []
@@ -75,4 +77,4 @@ def tripod_items(camera: SpaceCamera, hovered: str | None = None) -> list[list[I
         lifted = end[0] + RAISED * camera.toward
         strokes = strokes @ np.stack([camera.right, camera.up]) + lifted
         letters.append(Segments(strokes[:, 0], strokes[:, 1], "canvas", 1.6))
-    return [arms, discs, letters]
+    return arms, discs, letters

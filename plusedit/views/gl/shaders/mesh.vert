@@ -10,12 +10,10 @@ uniform vec4 crop;
 
 out vec3 sight;
 out vec3 normal;
-out vec2 cell;
 
 void main() {
     normal = axes * across;
     sight = axes * at - eye;
-    cell = vec2(0.0);
     vec4 clip = world_to_clip * vec4(at, 1.0);
     gl_Position = vec4(clip.xy * crop.xy + crop.zw * clip.w, clip.zw);
 }

@@ -17,7 +17,9 @@ uniform vec4 crop;
 
 out vec3 sight;  // from the eye to the point, in the axes of the view
 out vec3 normal; // likewise; zero where the surface has none
+#ifdef WIRE
 out vec2 cell;
+#endif
 
 vec3 way(vec3 tangent) {
     float reach = max(abs(tangent.x), max(abs(tangent.y), abs(tangent.z)));
@@ -30,7 +32,9 @@ void main() {
     float slant = length(across);
     normal = slant > 1e-4 ? axes * (across / slant) : vec3(0.0);
     sight = axes * at - eye;
+#ifdef WIRE
     cell = where;
+#endif
     vec4 clip = world_to_clip * vec4(at, 1.0);
     gl_Position = vec4(clip.xy * crop.xy + crop.zw * clip.w, clip.zw);
 }
