@@ -10,13 +10,16 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
-from typing import NamedTuple, TypeVar
+from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from plusedit.geometry.arrays import Floats, frozen
 from plusedit.geometry.mesh.triangulation import triangulated
+
+if TYPE_CHECKING:
+    from plusedit.geometry.mesh.topology import Topology
 
 Numbers = NDArray[np.int32]
 """Of vertices, corners or faces; -1 where there is none."""
@@ -100,26 +103,26 @@ class PolygonMesh:
     @cached_property
     def sizes(self) -> Numbers:
         """(f,) how many corners each face has."""
-        return _fixed(np.diff(self.starts))
+        return fixed(np.diff(self.starts))
 
     @cached_property
     def owners(self) -> Numbers:
         """(c,) the face of every corner."""
-        return _fixed(np.repeat(np.arange(self.face_count, dtype=np.int32), self.sizes))
+        return fixed(np.repeat(np.arange(self.face_count, dtype=np.int32), self.sizes))
 
     @cached_property
     def following(self) -> Numbers:
         """(c,) the next corner of the same face, counter-clockwise."""
         after = np.arange(1, len(self.corners) + 1, dtype=np.int32)
         after[self.starts[1:] - 1] = self.starts[:-1]
-        return _fixed(after)
+        return fixed(after)
 
     @cached_property
     def preceding(self) -> Numbers:
         """(c,) the corner before in the same face."""
         before = np.arange(-1, len(self.corners) - 1, dtype=np.int32)
         before[self.starts[:-1]] = self.starts[1:] - 1
-        return _fixed(before)
+        return fixed(before)
 
     @property
     def faces(self) -> list[tuple[int, ...]]:
@@ -131,7 +134,7 @@ class PolygonMesh:
     def centers(self) -> Floats:
         """(f, 3) the mean of every face's corners."""
         sums = self.sums(self.vertices[self.corners])
-        return _fixed(sums / self.sizes[:, None])
+        return fixed(sums / self.sizes[:, None])
 
     @cached_property
     def area_vectors(self) -> Floats:
@@ -141,7 +144,7 @@ class PolygonMesh:
         best-fitting plane (Newell's method).
         """
         around = self.vertices[self.corners] - np.repeat(self._firsts, self.sizes, axis=0)
-        return _fixed(0.5 * self.sums(np.cross(around, around[self.following])))
+        return fixed(0.5 * self.sums(np.cross(around, around[self.following])))
 
     @property
     def _firsts(self) -> Floats:
@@ -151,7 +154,7 @@ class PolygonMesh:
     @cached_property
     def areas(self) -> Floats:
         """(f,) the areas of the faces."""
-        return _fixed(np.linalg.norm(self.area_vectors, axis=1))
+        return fixed(np.linalg.norm(self.area_vectors, axis=1))
 
     def sums(self, values: Floats) -> Floats:
         """(f, ...) the sum of the values (c, ...) of every face's corners."""
@@ -165,7 +168,7 @@ class PolygonMesh:
         """(n,) true for vertices of some face."""
         marks = np.zeros(self.vertex_count, dtype=np.bool_)
         marks[self.corners] = True
-        return _fixed(marks)
+        return fixed(marks)
 
     @cached_property
     def bounds(self) -> tuple[Floats, Floats]:
@@ -194,7 +197,14 @@ class PolygonMesh:
         """The same triangles together with the corners that they have."""
         corners = triangulated(self.vertices[self.corners], self.starts)
         owners = np.repeat(np.arange(self.face_count, dtype=np.int32), self.sizes - 2)
-        return Triangles(_fixed(self.corners[corners]), _fixed(owners), _fixed(corners))
+        return Triangles(fixed(self.corners[corners]), fixed(owners), fixed(corners))
+
+    @cached_property
+    def topology(self) -> "Topology":
+        """How the faces hang together."""
+        from plusedit.geometry.mesh.topology import Topology
+
+        return Topology(self)
 
     def taken(self, face_numbers: "Sequence[int] | Numbers | NDArray[np.intp]") -> Taken:
         """The faces of these numbers, in this order, with only the vertices that they use."""
@@ -208,7 +218,7 @@ class PolygonMesh:
         corners = renumbered[self.corners[corner_numbers]]
         numbers = np.flatnonzero(kept).astype(np.int32)
         mesh = PolygonMesh(self.vertices[numbers], corners, starts)
-        return Taken(mesh, _fixed(numbers), _fixed(corner_numbers.astype(np.int32)))
+        return Taken(mesh, fixed(numbers), fixed(corner_numbers.astype(np.int32)))
 
     def with_vertices(self, vertices: Floats) -> "PolygonMesh":
         """The same faces with as many other vertices (n, 3)."""
@@ -228,7 +238,7 @@ def starts_of(sizes: NDArray[np.integer]) -> Numbers:
     return starts.astype(np.int32)
 
 
-def _fixed(array: NDArray[Kind]) -> NDArray[Kind]:
+def fixed(array: NDArray[Kind]) -> NDArray[Kind]:
     """The array itself, read-only from now on."""
     array.flags.writeable = False
     return array
@@ -241,7 +251,7 @@ def _numbers(values: ArrayLike, name: str) -> Numbers:
         raise ValueError(f"{name}: expected a row of whole numbers, got {given.dtype}{given.shape}")
     if given.size and (given.max() > MOST or given.min() < -MOST):
         raise ValueError(f"{name}: has a number beyond {MOST}")
-    return _fixed(given.astype(np.int32))
+    return fixed(given.astype(np.int32))
 
 
 def _check_faces(corners: Numbers, starts: Numbers, vertex_count: int) -> None:
