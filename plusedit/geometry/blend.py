@@ -85,6 +85,13 @@ def blend_at(basis: Basis, u: Floats, derivative: int = 0) -> Blend:
     return Blend(basis.values(u, derivative=derivative), basis.reaches(u, derivative=derivative))
 
 
+def blends_at(basis: Basis, u: Floats, highest: int) -> list[Blend]:
+    """The matrices and their derivatives up to the highest, worked out anew."""
+    if is_local(basis):
+        return [Blend(*pair) for pair in basis.banded_jet(u, highest)]
+    return [blend_at(basis, u, r) for r in range(highest + 1)]
+
+
 @lru_cache(maxsize=48)
 def blend(basis: Basis, grid: Grid, derivative: int = 0) -> Blend:
     """The matrices at the parameters of `grid`; the same object for equal arguments."""

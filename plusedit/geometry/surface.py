@@ -11,7 +11,6 @@ denominator are products from both sides,
 so the surface is linear in the points and the directions, and affine in s: S = base + s plus.
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from typing import Literal, TypeAlias
@@ -21,20 +20,15 @@ from numpy.typing import ArrayLike
 
 from plusedit.geometry.arrays import LARGEST, Floats
 from plusedit.geometry.bases import Basis
-from plusedit.geometry.blend import Blend, Grid, blend_at, parameters_of
-from plusedit.geometry.matrices import Matrix, dense
+from plusedit.geometry.blend import Blend, Grid, blend_at, blends_at, parameters_of
 from plusedit.geometry.net import ControlNet
 from plusedit.geometry.planes import ControlPlanes
+from plusedit.geometry.surface_jets import at_places, on_grid, quotients, sandwich
 
 Way: TypeAlias = Literal["u", "v"]
 """One of the two directions of a surface."""
 
 WAYS: tuple[Way, Way] = ("u", "v")
-
-ORDERS = ((0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2))
-"""Of the derivatives by u and v, in the order in which they are given back."""
-
-COUNTS = (1, 3, 6)  # how many of them there are up to order 0, 1, 2
 
 
 @dataclass(frozen=True, eq=False)
@@ -127,76 +121,28 @@ class PlusSurface:
         Each is (m_u, m_v, 3). At a knot where a derivative jumps it is that of the span to the
         right, at 1 that of the last span. Outside [0, 1] open directions are clamped, closed wrap.
         """
-        by_u = [blend_at(self.basis_u, parameters_of(u), r) for r in range(highest + 1)]
-        by_v = [blend_at(self.basis_v, parameters_of(v), r) for r in range(highest + 1)]
-        return self._quotients(by_u, by_v, highest, sandwich)
+        by_u = blends_at(self.basis_u, parameters_of(u), highest)
+        by_v = blends_at(self.basis_v, parameters_of(v), highest)
+        return quotients(on_grid(self._net, by_u, by_v))
 
     def derivatives_at(self, places: ArrayLike, *, highest: int = 2) -> tuple[Floats, ...]:
         """The same at scattered parameters (k, 2), rows of u and v; each is (k, 3)."""
         rows = np.asarray(places, dtype=np.float64).reshape(-1, 2)
-        by_u = [blend_at(self.basis_u, parameters_of(rows[:, 0]), r) for r in range(highest + 1)]
-        by_v = [blend_at(self.basis_v, parameters_of(rows[:, 1]), r) for r in range(highest + 1)]
-        return self._quotients(by_u, by_v, highest, paired)
+        by_u = blends_at(self.basis_u, parameters_of(rows[:, 0]), highest)
+        by_v = blends_at(self.basis_v, parameters_of(rows[:, 1]), highest)
+        return quotients(at_places(self._net, by_u, by_v))
 
-    def _quotients(
-        self, by_u: list[Blend], by_v: list[Blend], highest: int, product: "Product"
-    ) -> tuple[Floats, ...]:
+    @cached_property
+    def _net(self) -> Floats:
+        """(n_u, n_v, 9 or 10) what is summed up, as `surface_jets` has it."""
+        along_u, along_v = self.gradients
+        if self.planes.weights is None:
+            return np.concatenate([self.planes.points, along_u, along_v], axis=2)
         weights = self.planes.unit_weights[..., None]
-        points = weights * self.planes.points
-        along_u, along_v = weights * self.gradients
-        tops, below = [], []
-        for r, q in ORDERS[: COUNTS[highest]]:
-            bu, bv = by_u[r], by_v[q]
-            top = product(bu.values, points, bv.values)
-            top += product(bu.reaches, along_u, bv.values)
-            top += product(bu.values, along_v, bv.reaches)
-            tops.append(top)
-            if self.planes.weights is not None:
-                below.append(product(bu.values, weights, bv.values))
-        return _divided(tops, below) if below else tuple(tops)
-
-
-def sandwich(left: Matrix, net: Floats, right: Matrix) -> Floats:
-    """(a, b, dim) sum_ij left[a, i] net[i, j] right[b, j], as two products.
-
-    Two products cost O(a n m + a m b) for each coordinate; the sum as written, O(a n m b).
-    """
-    n, m, dim = net.shape
-    by_columns = np.ascontiguousarray(net.transpose(1, 0, 2)).reshape(m, n * dim)
-    rows = (right @ by_columns).reshape(-1, n, dim)
-    # Turned round here, where there are few rows, and not afterwards, where there are many.
-    lines = np.ascontiguousarray(rows.transpose(1, 0, 2)).reshape(n, -1)
-    return np.asarray(left @ lines).reshape(-1, len(rows), dim)
-
-
-def paired(left: Matrix, net: Floats, right: Matrix) -> Floats:
-    """(k, dim) sum_ij left[k, i] net[i, j] right[k, j]: one point for each pair of rows."""
-    n, m, dim = net.shape
-    rows = (left @ net.reshape(n, m * dim)).reshape(-1, m, dim)
-    found: Floats = np.einsum("km,kmd->kd", dense(right), rows)
-    return found
-
-
-Product: TypeAlias = Callable[[Matrix, Floats, Matrix], Floats]
-
-
-def _divided(tops: list[Floats], below: list[Floats]) -> tuple[Floats, ...]:
-    """The quotient of numerators and denominators and its derivatives, in the order of ORDERS.
-
-    S_u = (A_u - w_u S) / w, S_uu = (A_uu - 2 w_u S_u - w_uu S) / w,
-    S_uv = (A_uv - w_u S_v - w_v S_u - w_uv S) / w.
-    """
-    w = below[0]
-    at = tops[0] / w
-    if len(tops) == 1:
-        return (at,)
-    by_u, by_v = (tops[1] - below[1] * at) / w, (tops[2] - below[2] * at) / w
-    if len(tops) == 3:
-        return at, by_u, by_v
-    by_uu = (tops[3] - 2.0 * below[1] * by_u - below[3] * at) / w
-    by_uv = (tops[4] - below[1] * by_v - below[2] * by_u - below[4] * at) / w
-    by_vv = (tops[5] - 2.0 * below[2] * by_v - below[5] * at) / w
-    return at, by_u, by_v, by_uu, by_uv, by_vv
+        ones = np.ones_like(weights)
+        net: Floats = np.concatenate([self.planes.points, ones, along_u, along_v], axis=2)
+        net *= weights
+        return net
 
 
 @lru_cache(maxsize=48)
@@ -248,16 +194,9 @@ def tangent_terms(
     weights = planes.unit_weights[..., None]
     points = weights * planes.points
     along_u, along_v = weights * planes.directions(closed_u=basis_u.closed, closed_v=basis_v.closed)
-    found: list[tuple[Floats, Floats]] = []
-    below: list[Floats] = []
-    for r, q in ORDERS[:3]:
-        bu, bv = by_u[r], by_v[q]
-        plus = sandwich(bu.reaches, along_u, bv.values)
-        plus += sandwich(bu.values, along_v, bv.reaches)
-        found.append((sandwich(bu.values, points, bv.values), plus))
-        if planes.weights is not None:
-            below.append(sandwich(bu.values, weights, bv.values))
-    if below:
-        divided = [_divided([pair[way] for pair in found], below) for way in (0, 1)]
-        found = list(zip(*divided, strict=True))
-    return TangentTerms(*found[0], *found[1], *found[2])
+    nothing = np.zeros_like(points)
+    shares = [weights] if planes.weights is not None else []
+    base = on_grid(np.concatenate([points, *shares, nothing, nothing], axis=2), by_u, by_v)
+    plus = on_grid(np.concatenate([nothing, *shares, along_u, along_v], axis=2), by_u, by_v)
+    pairs = zip(quotients(base), quotients(plus), strict=True)
+    return TangentTerms(*(term for pair in pairs for term in pair))

@@ -18,7 +18,8 @@ from plusedit.geometry.bases.bspline import BSpline
 from plusedit.geometry.elevation import cutting, elevation
 from plusedit.geometry.matrices import Banded
 from plusedit.geometry.planes import ControlPlanes
-from plusedit.geometry.surface import PlusSurface, sandwich
+from plusedit.geometry.surface import PlusSurface
+from plusedit.geometry.surface_jets import sandwich
 
 
 @dataclass(frozen=True, eq=False)

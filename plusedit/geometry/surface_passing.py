@@ -25,7 +25,8 @@ from plusedit.geometry.bases import Basis
 from plusedit.geometry.blend import Grid, blend
 from plusedit.geometry.matrices import dense
 from plusedit.geometry.passing import RANK, UNCHANGED
-from plusedit.geometry.surface import PlusSurface, sandwich
+from plusedit.geometry.surface import PlusSurface
+from plusedit.geometry.surface_jets import sandwich
 
 STEPS = 60  # of conjugate gradients at most: more only where weights are wildly unequal
 DONE = 1e-4  # of what was missing: what is put right after that is as good as least

@@ -72,6 +72,10 @@ class LocalBasis(Basis, Protocol):
         """`values` and `reaches` without their zeros."""
         ...
 
+    def banded_jet(self, u: Floats, highest: int) -> list[tuple[Banded, Banded]]:
+        """The same and their derivatives up to the highest, for less than one by one."""
+        ...
+
 
 @runtime_checkable
 class PairedBasis(Basis, Protocol):

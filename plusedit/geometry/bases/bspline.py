@@ -87,6 +87,17 @@ class BSpline:
             reach += derivative * place.functions(derivative - 1)
         return Banded(place.columns, value, self.size), Banded(place.columns, reach, self.size)
 
+    def banded_jet(self, u: Floats, highest: int) -> list[tuple[Banded, Banded]]:
+        place = self._place(u)
+        values = [place.functions(r) for r in range(highest + 1)]
+        reaches = [place.distances * value for value in values]
+        for r in range(1, highest + 1):
+            reaches[r] += r * values[r - 1]
+        return [
+            (Banded(place.columns, value, self.size), Banded(place.columns, reach, self.size))
+            for value, reach in zip(values, reaches, strict=True)
+        ]
+
     def active(self, u: Floats) -> tuple[NDArray[np.intp], Floats]:
         """(m, order) each: the lines whose functions are not zero about u, and u - x_i."""
         place = self._place(u)
