@@ -143,26 +143,11 @@ class _Ray:
     def from_chords(self, chords: _Chords) -> tuple[Floats, Floats]:
         points = _in_space(chords.points)
         start, way = points[:-1] - self.origin, np.diff(points, axis=0)
-        # Along a chord the distance falls and then rises. It is least at an end, at the foot on
-        # the line of the ray, at that of the origin, or where the one takes over from the other.
-        rise, ahead = way @ self.heading, start @ self.heading
-        beside, across = start - np.outer(ahead, self.heading), way - np.outer(rise, self.heading)
-        places = np.stack(
-            [
-                np.zeros(len(way)),
-                np.ones(len(way)),
-                _quotient(-(beside * across).sum(axis=1), (across * across).sum(axis=1)),
-                _quotient(-(start * way).sum(axis=1), (way * way).sum(axis=1)),
-                _quotient(-ahead, rise),
-            ]
-        )
-        found = self._from(start + places[..., None] * way)
-        best = found.argmin(axis=0)
-        column = np.arange(len(way))
-        return found[best, column][None], places[best, column][None]
+        distances, places = segments_from_ray(start, way, self.heading)
+        return distances[None], places[None]
 
     def distances(self, row: NDArray[np.intp], u: Floats) -> Floats:
-        return self._from(_in_space(self.curve.at(u)) - self.origin)
+        return from_ray(_in_space(self.curve.at(u)) - self.origin, self.heading)
 
     def slopes(self, row: NDArray[np.intp], u: Floats) -> tuple[Floats, Floats]:
         point, velocity, acceleration = (_in_space(rows) for rows in self.curve.derivatives(u))
@@ -174,10 +159,36 @@ class _Ray:
         bend: Floats = (velocity * velocity).sum(axis=1) + (away * acceleration).sum(axis=1)
         return slope, bend - across**2
 
-    def _from(self, away: Floats) -> Floats:
-        """(...) distances of points from the ray, given as seen from its origin (..., 3)."""
-        ahead = np.maximum(away @ self.heading, 0.0)
-        return np.asarray(np.linalg.norm(away - ahead[..., None] * self.heading, axis=-1))
+
+def from_ray(away: Floats, heading: Floats) -> Floats:
+    """(...) distances of points from a ray, given as seen from its origin (..., 3)."""
+    ahead = np.maximum(away @ heading, 0.0)
+    return np.asarray(np.linalg.norm(away - ahead[..., None] * heading, axis=-1))
+
+
+def segments_from_ray(start: Floats, way: Floats, heading: Floats) -> tuple[Floats, Floats]:
+    """(k,) distances of segments from a ray, and (k,) how far along each the nearest place is.
+
+    They run from `start` by `way` (k, 3), as seen from the origin of the ray, which runs along
+    the unit vector `heading` (3,).
+    """
+    # Along a segment the distance falls and then rises. It is least at an end, at the foot on
+    # the line of the ray, at that of the origin, or where the one takes over from the other.
+    rise, ahead = way @ heading, start @ heading
+    beside, across = start - np.outer(ahead, heading), way - np.outer(rise, heading)
+    places = np.stack(
+        [
+            np.zeros(len(way)),
+            np.ones(len(way)),
+            _quotient(-(beside * across).sum(axis=1), (across * across).sum(axis=1)),
+            _quotient(-(start * way).sum(axis=1), (way * way).sum(axis=1)),
+            _quotient(-ahead, rise),
+        ]
+    )
+    found = from_ray(start + places[..., None] * way, heading)
+    best = found.argmin(axis=0)
+    column = np.arange(len(way))
+    return found[best, column], places[best, column]
 
 
 def _nearest(goal: _Goal, chords: _Chords) -> Floats:
