@@ -157,7 +157,7 @@ def check(box: QCheckBox, values: Sequence[bool]) -> None:
     box.setCheckState(Qt.CheckState.PartiallyChecked if mixed else state)
 
 
-LABEL_WIDTH = 68  # logical pixels, so that all fields of a pane begin on one line
+LABEL_WIDTH = 76  # logical pixels, so that all fields of a pane begin on one line
 
 
 def row_label(text: str) -> QWidget:

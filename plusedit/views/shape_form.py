@@ -56,7 +56,7 @@ class ShapeForm(QWidget):
         self._below.addRow(row_label("s"), self._s)
         self._below.addRow(row_label("s / L"), self._ratio)
         for way, field in zip(WAYS, self._shares, strict=True):
-            self._below.addRow(row_label(f"s / L along {way}"), field)
+            self._below.addRow(row_label(f"s / L by {way}"), field)
             field.setToolTip(f"{SHARE} {way}")
         self._below.addRow(row_label("Color"), self._color)
         self._below.addRow(row_label("Width"), self._width)

@@ -150,7 +150,7 @@ def numbered(geometry: PlusGeometry, row: int) -> str:
     return element_name(geometry, row).partition(" ")[2]
 
 
-@panel("lines_table", title="Control lines", area="left", order=2)
+@panel("lines_table", title="Control lines and planes", area="left", order=2)
 class LinesTable(LiveWidget):
     """The table, its selection being the session's."""
 

@@ -21,7 +21,10 @@ from plusedit.views.panels import panel
 from plusedit.views.shape_rows import ShapeRows, Switch, switch_at
 from plusedit.views.shapes_model import ShapesModel
 
-EMPTY = "No shapes yet.\n\nPress P and click in the view to draw a curve, or open a file."
+EMPTY = (
+    "No shapes yet.\n\nPress P and click in the view to draw a curve, take a surface from "
+    "Surface > New, or open a file."
+)
 SHIFTED = 2.0  # grid steps to the right and downwards for a duplicate
 
 
