@@ -25,8 +25,7 @@ from plusedit.geometry.surface_descent import Goal, PointGoal, RayGoal, least_in
 
 CANDIDATES = 24  # cells looked at closely
 STEPS = 8  # of Newton's method, which doubles the digits with each
-EXACT = 1e-14  # of the largest coordinate: how far from a ray its hit shall lie
-LOOSE = 1e4  # times that is still a hit
+CLOSE = 3e-8  # of the size: that near to a ray, Newton's next step is exact
 FAR = 2.0  # cells: a hit that far from where it was looked for is on another layer
 TIES = 4  # layers of a surface closer together than the triangles can tell apart
 
@@ -128,21 +127,24 @@ def _met(
 
     Those of the triangles again where there is none about there.
     """
-    across, at, step = _frame(heading), pierced.places, np.zeros(2)
-    exact = EXACT * (cells.largest + float(np.abs(origin).max()))
+    across, at, step = _frame(heading), pierced.places, np.zeros((1, 2))
+    size = cells.largest + float(np.abs(origin).max())
     for _ in range(STEPS):
         at = _inside(surface, at - step)
         point, du, dv = surface.derivatives_at(at, highest=1)
         away = point - origin
         off = away @ across.T
-        missed = np.abs(off).max(axis=1)
-        if (missed <= exact).all():
-            break
         step = _solved(du @ across.T, dv @ across.T, off)
+        missed = np.abs(off).max(axis=1)
+        if (missed <= CLOSE * size).all():
+            break
+    # One more step squares what is left, and needs no look at where it leads.
+    at = _inside(surface, at - step)
+    along = (away - step[:, :1] * du - step[:, 1:] * dv) @ heading
     width = (cells.high - cells.low)[pierced.rows]
-    met = (missed <= LOOSE * exact) & (np.abs(at - pierced.places) <= FAR * width).all(axis=1)
+    met = (missed <= CLOSE * size) & (np.abs(at - pierced.places) <= FAR * width).all(axis=1)
     places = np.where(met[:, None], at, pierced.places)
-    return places, np.where(met, away @ heading, pierced.along)
+    return places, np.where(met, along, pierced.along)
 
 
 def _frame(heading: Floats) -> Floats:
