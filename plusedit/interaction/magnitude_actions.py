@@ -6,8 +6,7 @@ from plusedit.commands.curves import SetMagnitude
 from plusedit.document.design import EditError
 from plusedit.document.shape import PlusGeometry, ShapeId
 from plusedit.geometry.curve import PlusCurve
-from plusedit.geometry.magnitude import best_s, polygon_length
-from plusedit.geometry.surface_magnitude import best_surface_s, natural_length
+from plusedit.geometry.natural import best_s_of, natural_length_of
 from plusedit.interaction.actions import EditAction
 from plusedit.interaction.selecting import shapes_of
 from plusedit.interaction.tool import Outcome, Stage
@@ -36,19 +35,11 @@ def magnitude(stage: Stage, value: Callable[[PlusGeometry], float]) -> Outcome:
     return SetMagnitude({i: value(design.plus(i)) for i in drawn_or_all(stage)})
 
 
-def length_of(geometry: PlusGeometry) -> float:
-    """L: the length of the control polygon, or of the mean one of a surface."""
-    if isinstance(geometry, PlusCurve):
-        return polygon_length(geometry)
-    return natural_length(geometry)
-
-
 def best(geometry: PlusGeometry) -> float:
     """s*. EditError where s changes nothing."""
-    is_curve = isinstance(geometry, PlusCurve)
-    s = best_s(geometry) if isinstance(geometry, PlusCurve) else best_surface_s(geometry)
+    s = best_s_of(geometry)
     if s is None:
-        noun = "lines" if is_curve else "planes"
+        noun = "lines" if isinstance(geometry, PlusCurve) else "planes"
         raise EditError(f"s changes nothing here: the control {noun} have no directions.")
     return s
 
@@ -58,13 +49,13 @@ def _s(value: Callable[[PlusGeometry], float]) -> Callable[[Stage], Outcome]:
 
 
 def _by(share: float) -> Callable[[Stage], Outcome]:
-    return _s(lambda geometry: geometry.s + share * length_of(geometry))
+    return _s(lambda geometry: geometry.s + share * natural_length_of(geometry))
 
 
 ACTIONS = (
     EditAction("s_up", "s up by 1 % of L", ("+", "="), MENU, _by(STEP)),
     EditAction("s_down", "s down by 1 % of L", ("-",), MENU, _by(-STEP)),
     EditAction("s_zero", "s = 0, classical", (), MENU, _s(lambda geometry: 0.0)),
-    EditAction("s_half", "s = L/2, usual", (), MENU, _s(lambda g: length_of(g) / 2.0)),
+    EditAction("s_half", "s = L/2, usual", (), MENU, _s(lambda g: natural_length_of(g) / 2.0)),
     EditAction("s_best", "s = s*, closest to the points", (), MENU, _s(best)),
 )

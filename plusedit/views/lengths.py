@@ -8,8 +8,7 @@ s / L would change though nobody touched s.
 from collections.abc import Container
 
 from plusedit.document.shape import PlusGeometry, ShapeId
-from plusedit.geometry.curve import PlusCurve
-from plusedit.geometry.magnitude import best_s, polygon_length
+from plusedit.geometry.natural import natural_length_of
 
 
 class Lengths:
@@ -41,24 +40,6 @@ class Lengths:
     def forget(self) -> None:
         """Forget all: another design has been opened."""
         self._known = {}
-
-
-def natural_length_of(geometry: PlusGeometry) -> float:
-    """The natural unit of s: of a surface the mean of its lengths by u and by v."""
-    if isinstance(geometry, PlusCurve):
-        return polygon_length(geometry)
-    from plusedit.geometry.surface_magnitude import natural_length
-
-    return natural_length(geometry)
-
-
-def best_s_of(geometry: PlusGeometry) -> float | None:
-    """s*, which brings the shape closest to its control points; None if s changes nothing."""
-    if isinstance(geometry, PlusCurve):
-        return best_s(geometry)
-    from plusedit.geometry.surface_magnitude import best_surface_s
-
-    return best_surface_s(geometry)
 
 
 def _kind(geometry: PlusGeometry) -> tuple[object, ...]:

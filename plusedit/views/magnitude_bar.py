@@ -8,9 +8,9 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel
 from plusedit.commands.curves import SetMagnitude
 from plusedit.document.shape import PlusGeometry, ShapeId
 from plusedit.geometry.curve import PlusCurve
+from plusedit.geometry.natural import best_s_of
 from plusedit.views.desk import Desk
 from plusedit.views.fields import NumberField
-from plusedit.views.lengths import best_s_of
 from plusedit.views.live import LiveWidget, common
 from plusedit.views.magnitude_slider import STEP, MagnitudeSlider
 
