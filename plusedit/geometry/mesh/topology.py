@@ -107,7 +107,7 @@ class Topology:
         glued = (mesh.corners[first] != mesh.corners[second]) & (
             mesh.owners[first] != mesh.owners[second]
         )
-        return _opposites(len(mesh.corners), first[glued], second[glued])
+        return opposites(len(mesh.corners), first[glued], second[glued])
 
     @cached_property
     def border(self) -> Numbers:
@@ -246,7 +246,7 @@ def pairs(shared: SharedEdges) -> tuple[Indices, Indices]:
     return shared.corners[firsts], shared.corners[firsts + 1]
 
 
-def _opposites(count: int, first: Indices, second: Indices) -> Numbers:
+def opposites(count: int, first: Indices, second: Indices) -> Numbers:
     opposite = np.full(count, -1, dtype=np.int32)
     opposite[first], opposite[second] = second, first
     return fixed(opposite)

@@ -1,0 +1,131 @@
+"""Vertices at one place joined, and faces left out that bound nothing.
+
+Places are the same where all coordinates are equal as numbers, whichever bits they have: 0 and -0
+are. Copies of a face have the same sides in any order and direction. Both are found by hashing
+rows to 64 bits (the mixing of splitmix64; Steele, Lea and Flood, Fast Splittable Pseudorandom
+Number Generators, 2014), which is many times faster than sorting the rows themselves.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from plusedit.geometry.arrays import Floats
+from plusedit.geometry.mesh.polygons import PolygonMesh, starts_of
+
+Flags = NDArray[np.bool_]
+Indices = NDArray[np.intp]
+Hashes = NDArray[np.uint64]
+
+GOLDEN = np.uint64(0x9E3779B97F4A7C15)
+MIXING = ((30, np.uint64(0xBF58476D1CE4E5B9)), (27, np.uint64(0x94D049BB133111EB)))
+
+
+class Kept(NamedTuple):
+    """Faces of a mesh, with the numbers that they and their corners had."""
+
+    mesh: PolygonMesh
+    faces: Indices
+    """(f,)"""
+    corners: Indices
+    """(c,)"""
+
+    def taken(self, chosen: Flags) -> "Kept":
+        """The faces that are marked (f,); all vertices stay."""
+        if chosen.all():
+            return self
+        marked = np.repeat(chosen, self.mesh.sizes)
+        starts = starts_of(self.mesh.sizes[chosen])
+        mesh = PolygonMesh(self.mesh.vertices, self.mesh.corners[marked], starts)
+        return Kept(mesh, self.faces[chosen], self.corners[marked])
+
+
+def cleaned(mesh: PolygonMesh) -> tuple[Kept, dict[str, int]]:
+    """The faces with three different places or more, each once, and what was done how often.
+
+    Of vertices at one place the first stands for all, of copies of a face the first stays.
+    """
+    welded = first_at_place(mesh.vertices)[mesh.corners]
+    kept, repeated, degenerate = _with_three_corners(mesh, welded)
+    single = _first_of_copies(kept.mesh)
+    return kept.taken(single), {
+        "joined": _distinct(mesh.corners) - _distinct(welded),
+        "repeated": repeated,
+        "degenerate": degenerate,
+        "copies": int(np.count_nonzero(~single)),
+    }
+
+
+def first_at_place(vertices: Floats) -> Indices:
+    """(n,) the lowest number of a vertex at exactly the same place."""
+    places = np.ascontiguousarray(vertices + 0.0)  # -0 + 0 is 0: equal numbers get equal bits
+    x, y, z = places.view(np.uint64).T
+    hashes = _mixed(_mixed(_mixed(x) + y) + z)
+    first, inverse = np.unique(hashes, return_index=True, return_inverse=True)[1:]
+    firsts: Indices = first[inverse]
+    if (places[firsts] != places).any():  # two places with one hash
+        first, inverse = np.unique(places, axis=0, return_index=True, return_inverse=True)[1:]
+        firsts = first[inverse.ravel()]
+    return firsts
+
+
+def _distinct(numbers: NDArray[np.integer]) -> int:
+    return int(np.count_nonzero(np.bincount(numbers))) if len(numbers) else 0
+
+
+def _with_three_corners(mesh: PolygonMesh, welded: Indices) -> tuple[Kept, int, int]:
+    """Faces between other vertices `welded` (c,), without repetitions.
+
+    Then how many faces had any and are still there, and how many are not.
+    """
+    stays = welded != welded[mesh.following]
+    sizes = np.bincount(mesh.owners[stays], minlength=mesh.face_count)
+    proper = sizes >= 3
+    large = np.flatnonzero(sizes > 3)
+    proper[large[_different(mesh, welded, large) < 3]] = False
+    stays &= np.repeat(proper, mesh.sizes)
+    clean = PolygonMesh(mesh.vertices, welded[stays].astype(np.int32), starts_of(sizes[proper]))
+    repeated = int(np.count_nonzero(proper & (sizes < mesh.sizes)))
+    kept = Kept(clean, np.flatnonzero(proper), np.flatnonzero(stays))
+    return kept, repeated, int(np.count_nonzero(~proper))
+
+
+def _different(mesh: PolygonMesh, welded: Indices, faces: Indices) -> Indices:
+    """How many different vertices each of some faces has."""
+    chosen = np.zeros(mesh.face_count, dtype=np.bool_)
+    chosen[faces] = True
+    marked = np.repeat(chosen, mesh.sizes)
+    uses = mesh.owners[marked].astype(np.int64) * mesh.vertex_count + welded[marked]
+    counts = np.bincount(np.unique(uses) // mesh.vertex_count, minlength=mesh.face_count)
+    return counts[faces]
+
+
+def _first_of_copies(mesh: PolygonMesh) -> Flags:
+    """(f,) true for faces that have not the same sides as one before.
+
+    The sides of a polygon, in any order, determine it up to its direction.
+    """
+    tails = mesh.corners.astype(np.uint64)
+    heads = tails[mesh.following]
+    sides = np.minimum(tails, heads) << np.uint64(32) | np.maximum(tails, heads)
+    # Two sums of different hashes: 128 bits agree by chance for no two faces of any file.
+    mixed = _mixed(sides)
+    sums = np.zeros((mesh.face_count, 2), dtype=np.uint64)
+    if mesh.face_count:
+        sums = np.add.reduceat(np.stack([mixed, _mixed(mixed)], axis=1), mesh.starts[:-1])
+    order = np.argsort(sums[:, 0], kind="stable")
+    same = (sums[order[1:]] == sums[order[:-1]]).all(axis=1)
+    single = np.ones(mesh.face_count, dtype=np.bool_)
+    single[order[1:][same]] = False
+    return single
+
+
+def _mixed(numbers: Hashes) -> Hashes:
+    """Numbers spread over all of 64 bits, different ones to different ones."""
+    mixed = numbers + GOLDEN
+    for shift, factor in MIXING:
+        mixed ^= mixed >> np.uint64(shift)
+        mixed *= factor
+    mixed ^= mixed >> np.uint64(31)
+    return mixed
