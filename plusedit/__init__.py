@@ -1,6 +1,7 @@
-"""PlusEdit: free-form curves shaped by control lines, as an editor and as a library.
+"""PlusEdit: free-form curves and surfaces shaped by control lines and control planes.
 
-The library is `plusedit.geometry`; it needs numpy alone and knows neither files nor windows.
+The library is `plusedit.geometry`; it needs numpy, and numba where it samples surfaces quickly, and
+knows neither files nor windows.
 """
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
