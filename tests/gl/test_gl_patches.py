@@ -13,6 +13,7 @@ from plusedit.scene.space_camera import SpaceCamera
 from plusedit.scene.theme import LIGHT
 from plusedit.views.gl import functions, patches
 from plusedit.views.gl.buffers import Buffer
+from plusedit.views.gl.colors import Palette
 from plusedit.views.gl.context import current_functions
 from plusedit.views.gl.patches import PatchBuffers, frame_of, key_of
 from plusedit.views.gl.programs import Program
@@ -196,9 +197,10 @@ def shaded(qapp, gl, monkeypatch):
         lattice = patches.Lattice(gl, len(patch.grid_u), len(patch.grid_v))
         buffers.fill(key_of(patch), lattice, frame_of(patch.surface))
         program.use()
-        sight = Sight.of(camera, [frame_of(patch.surface).box(patch.surface.s)])
+        box = frame_of(patch.surface).box(patch.surface.s)
+        sight = Sight.of(camera, [box], Palette(LIGHT))
         sight.show(program, buffers.origin)
-        sight.show_light(program, buffers.origin)
+        sight.show_light(program, buffers.origin, "front", "back")
         program.set("s", patch.surface.s)
         program.set("least", patches.POINTLIKE * frame_of(patch.surface).size)
         found = np.zeros((count, 6), np.float32)

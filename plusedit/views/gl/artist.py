@@ -11,17 +11,16 @@ from dataclasses import dataclass
 from itertools import chain
 from typing import TypeAlias
 
-import numpy as np
-
 from plusedit.scene.items import Item, Label, Markers, Mesh, Patch, Polygon, Polyline, Segments
 from plusedit.scene.space_camera import SpaceCamera
 from plusedit.scene.space_scene import SpaceLayers
 from plusedit.scene.theme import Theme
 from plusedit.views.gl import functions as gl_names
-from plusedit.views.gl.batches import Batch, Fills, Lines, Marks
-from plusedit.views.gl.colors import shade_of
+from plusedit.views.gl.batches import Fills, Lines, Marks
+from plusedit.views.gl.colors import Palette
 from plusedit.views.gl.functions import Functions
 from plusedit.views.gl.ground import Ground, ground_of
+from plusedit.views.gl.groups import Group, by_kind, runs_of
 from plusedit.views.gl.meshes import Meshes
 from plusedit.views.gl.patches import Patches, frame_of
 from plusedit.views.gl.programs import Programs
@@ -32,8 +31,6 @@ HIDDEN = 0.3  # opacity of handles behind a surface
 PUSH = (1.0, 1.0)  # by which surfaces stand back so that lines on them are seen: slopes, steps
 Flat: TypeAlias = Polyline | Segments | Markers | Polygon
 Solid: TypeAlias = Patch | Mesh
-Kinds: TypeAlias = tuple[list[Item], list[Item], list[Item]]
-"""Areas; lines, with the outlines of areas; marks"""
 
 
 @dataclass(frozen=True)
@@ -52,41 +49,6 @@ class Look:
     """nothing where nothing is drawn, instead of the canvas"""
 
 
-@dataclass(eq=False)
-class Group:
-    """Areas, lines and marks that are drawn after each other, each kind at once."""
-
-    fills: Fills
-    lines: Lines
-    marks: Marks
-
-    @property
-    def batches(self) -> tuple[Batch, Batch, Batch]:
-        """In the order in which they are drawn."""
-        return self.fills, self.lines, self.marks
-
-    def show(self, items: Kinds, theme: Theme, camera: SpaceCamera) -> None:
-        """Hold those areas, lines and marks."""
-        for batch, kind in zip(self.batches, items, strict=True):
-            batch.show(kind, theme, camera)
-
-    def boxes(self) -> Iterator[Box]:
-        """What the batches lie in."""
-        for batch in self.batches:
-            if batch.box is not None:
-                yield batch.box
-
-    def draw(self, sight: Sight, opacity: float = 1.0) -> None:
-        """Draw all of it."""
-        for batch in self.batches:
-            batch.draw(sight, opacity)
-
-    def release(self) -> None:
-        """Free it."""
-        for batch in self.batches:
-            batch.release()
-
-
 class SpaceArtist:
     """Draws items in one context of OpenGL, and keeps there what is drawn again.
 
@@ -95,6 +57,7 @@ class SpaceArtist:
 
     def __init__(self, gl: Functions) -> None:
         self._gl = gl
+        self._palette: Palette | None = None
         self._programs = Programs(gl)
         self._patches = Patches(gl, self._programs)
         self._meshes = Meshes(gl, self._programs)
@@ -121,23 +84,21 @@ class SpaceArtist:
         `ratio` is pixels of the device to a logical one. What is seen through is told by the colors
         of the theme, whatever the layer.
         """
+        palette = self._palette = self._palette_of(theme)
         solids, flats = _parted(chain(layers.solids, layers.glass, layers.lines))
         ground = ground_of(camera) if look.ground else None
-        self._show(solids, flats, layers.handles, ground, camera, theme)
-        sight = Sight.of(camera, self._boxes(solids), ratio, crop)
-        with self._state(theme, look):
-            self._draw_solids(
-                [item for item in solids if _is_opaque(item, theme)], sight, theme, look
-            )
+        self._show(solids, flats, layers.handles, ground, camera, palette)
+        styles = ("MATCAP",) if look.shading == "matcap" else ()
+        sight = Sight.of(camera, self._boxes(solids), palette, styles, ratio, crop)
+        with self._state(palette, look):
+            self._draw_solids([item for item in solids if _is_opaque(item, palette)], sight)
             if ground is not None:
                 self._draw_ground(ground, sight)
             self._draw_lines(sight)
-            self._draw_veils(
-                [item for item in solids if not _is_opaque(item, theme)], sight, theme, look
-            )
+            self._draw_veils([item for item in solids if not _is_opaque(item, palette)], sight)
             self._draw_handles(sight)
             if look.axes:
-                self._draw_tripod(camera, theme, look, ratio, crop)
+                self._draw_tripod(sight, look.hovered)
 
     def release(self) -> None:
         """Free everything on the card; nothing can be drawn afterwards."""
@@ -160,24 +121,25 @@ class SpaceArtist:
         handles: Sequence[Item],
         ground: Ground | None,
         camera: SpaceCamera,
-        theme: Theme,
+        palette: Palette,
     ) -> None:
         self._patches.show(item for item in solids if isinstance(item, Patch))
         self._meshes.show(item for item in solids if isinstance(item, Mesh))
-        veils = [item for item in flats if isinstance(item, Polygon) and _is_veil(item, theme)]
-        self._faint.show([item for item in flats if _is_faint_line(item, theme)], theme, camera)
-        through: set[Item] = {*veils, *self._faint.items}
-        opaque = [item for item in flats if item not in through]
-        self._flats.show(_by_kind([*opaque, *(_outline(item) for item in veils)]), theme, camera)
-        self._veils.show((_nearest_last(veils, camera), [], []), theme, camera)
-        runs = list(_runs(handles))
+        veils = [item for item in flats if isinstance(item, Polygon) and _is_veil(item, palette)]
+        faint = [item for item in flats if _is_faint_line(item, palette)]
+        apart: set[Item] = {*veils, *faint}
+        fills, lines, marks = by_kind(item for item in flats if item not in apart)
+        self._faint.show(faint, palette, camera)
+        self._flats.show((fills, [*veils, *lines], marks), palette, camera)
+        self._veils.show((_nearest_last(veils, camera), [], []), palette, camera)
+        runs = list(runs_of(handles))
         while len(self._handles) < len(runs):
             self._handles.append(self._group())
         while len(self._handles) > len(runs):
             self._handles.pop().release()
         for group, run in zip(self._handles, runs, strict=True):
-            group.show(run, theme, camera)
-        self._ground.show([] if ground is None else ground.items, theme, camera)
+            group.show(run, palette, camera)
+        self._ground.show([] if ground is None else ground.items, palette, camera)
 
     def _boxes(self, solids: Sequence[Solid]) -> Iterator[Box]:
         for item in solids:
@@ -194,13 +156,13 @@ class SpaceArtist:
     # What is drawn
 
     @contextmanager
-    def _state(self, theme: Theme, look: Look) -> Iterator[None]:
+    def _state(self, palette: Palette, look: Look) -> Iterator[None]:
         """The settings that drawing relies on; afterwards those that Qt and others expect."""
         gl, names = self._gl, gl_names
         gl.ColorMask(1, 1, 1, 1)
         gl.DepthMask(1)
         gl.ClearDepth(1.0)
-        red, green, blue, _ = shade_of(theme, "canvas")
+        red, green, blue, _ = palette.shade("canvas")
         gl.ClearColor(*((0.0,) * 4 if look.transparent else (red, green, blue, 1.0)))
         gl.Clear(names.COLOR_BUFFER_BIT | names.DEPTH_BUFFER_BIT)
         gl.Enable(names.DEPTH_TEST)
@@ -221,22 +183,21 @@ class SpaceArtist:
             gl.BindBuffer(names.ARRAY_BUFFER, 0)
             gl.UseProgram(0)
 
-    def _draw_solids(self, solids: Sequence[Solid], sight: Sight, theme: Theme, look: Look) -> None:
+    def _draw_solids(self, solids: Sequence[Solid], sight: Sight) -> None:
         gl = self._gl
         gl.Disable(gl_names.BLEND)
         gl.Enable(gl_names.POLYGON_OFFSET_FILL)
         gl.PolygonOffset(*PUSH)
         for item in solids:
-            self._draw_solid(item, sight, theme, look)
+            self._draw_solid(item, sight)
         gl.Disable(gl_names.POLYGON_OFFSET_FILL)
         gl.Enable(gl_names.BLEND)
 
-    def _draw_solid(self, item: Solid, sight: Sight, theme: Theme, look: Look) -> None:
-        styles = ("MATCAP",) if look.shading == "matcap" else ()
+    def _draw_solid(self, item: Solid, sight: Sight) -> None:
         if isinstance(item, Patch):
-            self._patches.draw(item, sight, theme, *styles)
+            self._patches.draw(item, sight)
         else:
-            self._meshes.draw(item, sight, theme, *styles)
+            self._meshes.draw(item, sight)
 
     def _draw_ground(self, ground: Ground, sight: Sight) -> None:
         self._fading.use()
@@ -258,7 +219,7 @@ class SpaceArtist:
         self._flats.lines.draw(sight)
         self._flats.marks.draw(sight)
 
-    def _draw_veils(self, veils: Sequence[Solid], sight: Sight, theme: Theme, look: Look) -> None:
+    def _draw_veils(self, veils: Sequence[Solid], sight: Sight) -> None:
         """What lets through: the farthest first, of each the side that looks away first."""
         gl = self._gl
         gl.DepthMask(0)
@@ -267,7 +228,7 @@ class SpaceArtist:
         for item in sorted(veils, key=lambda item: -_depth(item, sight.camera)):
             for culled in (gl_names.FRONT, gl_names.BACK):
                 gl.CullFace(culled)
-                self._draw_solid(item, sight, theme, look)
+                self._draw_solid(item, sight)
         gl.Disable(gl_names.CULL_FACE)
         gl.DepthMask(1)
 
@@ -280,20 +241,22 @@ class SpaceArtist:
                 group.draw(sight, opacity)
         gl.DepthMask(1)
 
-    def _draw_tripod(
-        self, camera: SpaceCamera, theme: Theme, look: Look, ratio: float, crop: Crop
-    ) -> None:
-        small = tripod_camera(camera)
-        layers = tripod_items(camera, look.hovered)
-        for group, layer in zip(self._tripod, layers, strict=True):
-            group.show(_by_kind(layer), theme, small)
+    def _draw_tripod(self, sight: Sight, hovered: str | None) -> None:
+        small = tripod_camera(sight.camera)
+        for group, layer in zip(self._tripod, tripod_items(sight.camera, hovered), strict=True):
+            group.show(by_kind(layer), sight.palette, small)
         boxes = [box for group in self._tripod for box in group.boxes()]
-        sight = Sight.of(small, boxes, ratio, crop)
+        sight = Sight.of(small, boxes, sight.palette, (), sight.ratio, sight.crop)
         self._gl.Clear(gl_names.DEPTH_BUFFER_BIT)
         for group in self._tripod:
             group.draw(sight)
 
     # What there is of its own
+
+    def _palette_of(self, theme: Theme) -> Palette:
+        """The same for the same colors."""
+        kept = self._palette
+        return kept if kept is not None and kept.theme == theme else Palette(theme)
 
     def _group(self) -> Group:
         gl, named = self._gl, self._programs.named
@@ -316,54 +279,16 @@ def _parted(items: Iterable[Item]) -> tuple[list[Solid], list[Flat]]:
     return solids, flats
 
 
-def _is_opaque(item: Solid, theme: Theme) -> bool:
-    return all(shade_of(theme, color)[3] >= 1.0 for color in (item.front, item.back))
+def _is_opaque(item: Solid, palette: Palette) -> bool:
+    return all(not palette.lets_through(color) for color in (item.front, item.back))
 
 
-def _is_veil(item: Polygon, theme: Theme) -> bool:
-    return shade_of(theme, item.fill)[3] < 1.0
+def _is_veil(item: Polygon, palette: Palette) -> bool:
+    return palette.lets_through(item.fill)
 
 
-def _is_faint_line(item: Item, theme: Theme) -> bool:
-    return isinstance(item, Polyline | Segments) and shade_of(theme, item.color)[3] < 1.0
-
-
-def _outline(item: Polygon) -> Polyline:
-    points = np.concatenate([item.points, item.points[:1]])
-    return Polyline(points, item.outline or f"{item.fill}@0", item.width)
-
-
-def _rank(item: Item) -> int:
-    match item:
-        case Polygon():
-            return 0
-        case Polyline() | Segments():
-            return 1
-        case _:
-            return 2
-
-
-def _by_kind(items: Iterable[Item]) -> Kinds:
-    """Areas; lines, with the outlines of areas; marks."""
-    kinds: Kinds = ([], [], [])
-    for item in items:
-        kinds[_rank(item)].append(item)
-    kinds[1][:0] = kinds[0]
-    return kinds
-
-
-def _runs(items: Iterable[Item]) -> Iterator[Kinds]:
-    """Groups of items whose order allows areas, lines and marks to be drawn at once each."""
-    run: list[Item] = []
-    for item in items:
-        if isinstance(item, Patch | Mesh | Label):
-            continue
-        if run and _rank(item) < _rank(run[-1]):
-            yield _by_kind(run)
-            run = []
-        run.append(item)
-    if run:
-        yield _by_kind(run)
+def _is_faint_line(item: Item, palette: Palette) -> bool:
+    return isinstance(item, Polyline | Segments) and palette.lets_through(item.color)
 
 
 def _nearest_last(veils: Sequence[Polygon], camera: SpaceCamera) -> list[Item]:

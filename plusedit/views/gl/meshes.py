@@ -6,9 +6,7 @@ import numpy as np
 
 from plusedit.geometry.arrays import Floats
 from plusedit.scene.items import Mesh
-from plusedit.scene.theme import Theme
 from plusedit.views.gl.buffers import Attribute, Buffer, VertexArray
-from plusedit.views.gl.colors import albedo_of
 from plusedit.views.gl.functions import (
     ELEMENT_ARRAY_BUFFER,
     TRIANGLES,
@@ -64,15 +62,13 @@ class Meshes:
             if mesh not in self._held:
                 self._held[mesh] = MeshBuffers(self._gl, mesh)
 
-    def draw(self, mesh: Mesh, sight: Sight, theme: Theme, *styles: str) -> None:
+    def draw(self, mesh: Mesh, sight: Sight) -> None:
         """Draw one of those that were shown, both of its sides or what is not culled."""
         held = self._held[mesh]
-        program = self._programs.named("mesh", "shade", *styles)
+        program = self._programs.named("mesh", "shade", *sight.styles)
         program.use()
         sight.show(program, held.origin)
-        sight.show_light(program, held.origin)
-        program.set("front", *albedo_of(theme, mesh.front))
-        program.set("back", *albedo_of(theme, mesh.back))
+        sight.show_light(program, held.origin, mesh.front, mesh.back)
         held.draw()
 
     def release(self) -> None:

@@ -19,9 +19,7 @@ from plusedit.geometry.planes import ControlPlanes
 from plusedit.geometry.surface import PlusSurface
 from plusedit.geometry.surface_kernels import changed_rows, surface_buffers
 from plusedit.scene.items import Patch
-from plusedit.scene.theme import Theme
 from plusedit.views.gl.buffers import Attribute, Buffer, VertexArray
-from plusedit.views.gl.colors import albedo_of, shade_of
 from plusedit.views.gl.functions import (
     ELEMENT_ARRAY_BUFFER,
     TRIANGLES,
@@ -202,20 +200,18 @@ class Patches:
             buffers.release()
         self._forget_lattices()
 
-    def draw(self, patch: Patch, sight: Sight, theme: Theme, *styles: str) -> None:
+    def draw(self, patch: Patch, sight: Sight) -> None:
         """Draw one of those that were shown, both of its sides or what is not culled."""
         buffers = self._held[key_of(patch)]
         wired = ("WIRE",) if patch.wire is not None else ()
-        program = self._programs.named("patch", "shade", *styles, *wired)
+        program = self._programs.named("patch", "shade", *sight.styles, *wired)
         program.use()
         sight.show(program, buffers.origin)
-        sight.show_light(program, buffers.origin)
+        sight.show_light(program, buffers.origin, patch.front, patch.back)
         program.set("s", patch.surface.s)
         program.set("least", POINTLIKE * frame_of(patch.surface).size)
-        program.set("front", *albedo_of(theme, patch.front))
-        program.set("back", *albedo_of(theme, patch.back))
         if patch.wire is not None:
-            program.set("wire", *shade_of(theme, patch.wire))
+            program.set("wire", *sight.palette.shade(patch.wire))
         buffers.draw()
 
     def release(self) -> None:

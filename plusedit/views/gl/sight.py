@@ -8,6 +8,7 @@ import numpy as np
 
 from plusedit.geometry.arrays import Floats
 from plusedit.scene.space_camera import SpaceCamera
+from plusedit.views.gl.colors import Palette
 from plusedit.views.gl.programs import Program
 
 BESIDE = 16.0  # pixels before the nearest and beyond the farthest point that are drawn, too
@@ -23,18 +24,27 @@ WHOLE: Crop = (1.0, 1.0, 0.0, 0.0)
 
 @dataclass(frozen=True, eq=False)
 class Sight:
-    """A camera with the depths that are drawn, and the pixels of the device."""
+    """A camera with the depths that are drawn, the pixels of the device, colors and light."""
 
     camera: SpaceCamera
     matrix: Floats
     """(4, 4) from the world to clip space"""
+    palette: Palette
+    styles: tuple[str, ...] = ()
+    """names that are defined in shaders of light"""
     ratio: float = 1.0
     """pixels of the device to a logical one"""
     crop: Crop = WHOLE
 
     @classmethod
     def of(
-        cls, camera: SpaceCamera, boxes: Iterable[Box], ratio: float = 1.0, crop: Crop = WHOLE
+        cls,
+        camera: SpaceCamera,
+        boxes: Iterable[Box],
+        palette: Palette,
+        styles: tuple[str, ...] = (),
+        ratio: float = 1.0,
+        crop: Crop = WHOLE,
     ) -> "Sight":
         """The sight of everything inside of boxes."""
         corners = [np.where(_CORNERS, high, low) for low, high in boxes]
@@ -43,7 +53,8 @@ class Sight:
             depths = camera.depths(np.concatenate(corners))
             near, far = float(depths.min()), float(depths.max())
         room = BESIDE * camera.pixel + 0.01 * (far - near)
-        return cls(camera, camera.matrix(near - room, far + room), ratio, crop)
+        matrix = camera.matrix(near - room, far + room)
+        return cls(camera, matrix, palette, styles, ratio, crop)
 
     @property
     def size(self) -> tuple[float, float]:
@@ -70,9 +81,11 @@ class Sight:
             program.told = self
             self._show_frame(program)
 
-    def show_light(self, program: Program, origin: Floats) -> None:
-        """Tell a program in use, besides, where the eye is."""
+    def show_light(self, program: Program, origin: Floats, front: str, back: str) -> None:
+        """Tell a program in use, besides, where the eye is, and the colors of both sides."""
         program.set("eye", *(self.camera.axes_of_view @ (self._eye - origin)).tolist())
+        program.set("front", *self.palette.albedo(front))
+        program.set("back", *self.palette.albedo(back))
 
     @cached_property
     def _eye(self) -> Floats:

@@ -1,61 +1,53 @@
-"""Lines as records for the card: of items that stay, from one frame to the next.
+"""Lines as records for the card.
 
 A line is a row of records, one for each point, between two gaps. Segment k lies between records
 k and k + 1 and knows its neighbors, so one draw shows any number of lines. The gaps about a closed
 line say where it goes on.
 """
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from plusedit.geometry.arrays import Floats
-from plusedit.scene.items import Polygon, Polyline, Segments
+from plusedit.scene.items import Dash, Item, Polygon, Polyline, Segments
 from plusedit.scene.space_camera import SpaceCamera
-from plusedit.scene.theme import Theme
-from plusedit.views.gl.colors import word_of
+from plusedit.views.gl.colors import Palette
 
-RECORD: Final = np.dtype(
-    [("at", "<f4", 3), ("kind", "<f4"), ("color", "<u4"), ("width", "<f4"), ("before", "<f4")]
-)
+STEP: Final = 28
+"""Bytes of a record: place and kind in four numbers, color in four bytes, width, length before"""
+KIND, COLOR, WIDTH, BEFORE = 3, 4, 5, 6
 GAP, GOES_ON = -1.0, -2.0
 MET = 1e-9  # of the size of a line: how near its ends are where it is closed
-KINDS = {"solid": 0.0, "dash": 1.0, "dot": 2.0}
+KINDS: Final[dict[Dash, float]] = {"solid": 0.0, "dash": 1.0, "dot": 2.0}
+SMOOTH = 1.0  # pixels of line around areas without an outline, so that their edges are smooth
 
-Records = NDArray[Any]
-
-
-@dataclass(frozen=True, eq=False)
-class Stroke:
-    """A line as one color draws it, or many separate segments."""
-
-    points: Floats
-    """(m, 3) of a line; (2 k, 3) starts and ends of segments, by turns"""
-    color: str
-    width: float
-    dash: str
-    is_apart: bool
-    """whether they are segments"""
+Records = NDArray[np.float32]
+"""(n, 7); the fifth column holds bytes, not a number"""
 
 
-def strokes_of(items: Iterable[Polyline | Segments | Polygon]) -> list[Stroke]:
-    """The lines of items; of a polygon its outline, or, to be smooth, the edge of its fill."""
-    found = []
-    for item in items:
-        match item:
-            case Polyline(points, color, width, dash) if len(points) > 1:
-                found.append(Stroke(in_space(points), color, width, dash, False))
-            case Segments(starts, ends, color, width, dash) if len(starts):
-                pairs = np.stack([in_space(starts), in_space(ends)], axis=1).reshape(-1, 3)
-                found.append(Stroke(pairs, color, width, dash, True))
-            case Polygon(points, _, str(outline), width) if len(points) > 1:
-                closed = in_space(points)
-                closed = np.concatenate([closed, closed[:1]])
-                found.append(Stroke(closed, outline, width, "solid", False))
-    return found
+def records_of(item: Item, palette: Palette, origin: Floats, camera: SpaceCamera) -> Records:
+    """(n,) the records of the lines of one item, which must come after a gap; a gap is last.
+
+    Places are counted from `origin` (3,). The camera tells how long dashed lines are on the
+    screen; solid ones do not depend on it. Of an area they are its outline or, where it has none,
+    the edge of its fill.
+    """
+    match item:
+        case Polyline(points, color, width, dash) if len(points) > 1:
+            return _line(in_space(points), palette.word(color), width, KINDS[dash], origin, camera)
+        case Segments(starts, ends, color, width, dash) if len(starts):
+            pairs = in_space(starts) - origin, in_space(ends) - origin
+            return _pairs(*pairs, palette.word(color), width, KINDS[dash])
+        case Polygon(points, fill, outline, width) if len(points) > 1:
+            if outline is None and palette.shade(fill)[3] < 1.0:
+                return NOTHING
+            closed = np.concatenate([in_space(points), in_space(points[:1])])
+            if outline is None:
+                outline, width = fill, SMOOTH
+            return _line(closed, palette.word(outline), width, 0.0, origin, camera)
+    return NOTHING
 
 
 def in_space(points: Floats) -> Floats:
@@ -65,45 +57,44 @@ def in_space(points: Floats) -> Floats:
     return np.column_stack([points, np.zeros(len(points))])
 
 
-def records_of(
-    strokes: Sequence[Stroke], theme: Theme, origin: Floats, camera: SpaceCamera
+def _line(
+    points: Floats, color: int, width: float, kind: float, origin: Floats, camera: SpaceCamera
 ) -> Records:
-    """(n,) the records of all lines, gaps first, between and last.
-
-    Places are counted from `origin` (3,). The camera tells how long dashed lines are on the
-    screen; solid ones do not depend on it.
-    """
-    records = np.zeros(2 + sum(_count(stroke) for stroke in strokes), dtype=RECORD)
-    records["kind"] = GAP
-    at = 1
-    for stroke in strokes:
-        count = _count(stroke)
-        _fill(records[at : at + count], stroke, theme, origin, camera)
-        at += count
+    records = np.empty((len(points) + 2, STEP // 4), dtype=np.float32)
+    records[1:-1, :KIND] = points - origin
+    _paint(records, color, width, kind)
+    is_closed = len(points) > 3 and _is_closed(points)
+    records[0, :KIND] = records[-3 if is_closed else 1, :KIND]
+    records[-1, :KIND] = records[2 if is_closed else -2, :KIND]
+    records[[0, -1], KIND] = GOES_ON if is_closed else GAP
+    if kind:
+        steps = np.diff(camera.to_screen(points), axis=0)
+        records[2:-1, BEFORE] = np.cumsum(np.hypot(steps[:, 0], steps[:, 1]))
     return records
 
 
-def _count(stroke: Stroke) -> int:
-    return len(stroke.points) // 2 * 3 if stroke.is_apart else len(stroke.points) + 2
+def _is_closed(points: Floats) -> bool:
+    gap = float(np.abs(points[-1] - points[0]).max())
+    return gap == 0.0 or gap <= MET * float(np.abs(points[len(points) // 2] - points[0]).max())
 
 
-def _fill(
-    records: Records, stroke: Stroke, theme: Theme, origin: Floats, camera: SpaceCamera
-) -> None:
-    points = stroke.points - origin
-    records["color"] = word_of(theme, stroke.color)
-    records["width"] = stroke.width
-    kind = KINDS[stroke.dash]
-    if stroke.is_apart:
-        triples = records.reshape(-1, 3)
-        triples["at"][:, :2] = points.reshape(-1, 2, 3)
-        triples["kind"][:, :2] = kind
-        return
-    records["at"][1:-1] = points
-    records["kind"][1:-1] = kind
-    if len(points) > 3 and np.abs(points[0] - points[-1]).max() <= MET * np.ptp(points):
-        records["at"][[0, -1]] = points[[-2, 1]]
-        records["kind"][[0, -1]] = GOES_ON
-    if kind:
-        steps = np.diff(camera.to_screen(stroke.points), axis=0)
-        records["before"][2:-1] = np.cumsum(np.hypot(steps[:, 0], steps[:, 1]))
+def _pairs(starts: Floats, ends: Floats, color: int, width: float, kind: float) -> Records:
+    records = np.empty((len(starts), 3, STEP // 4), dtype=np.float32)
+    records[:, 0, :KIND] = starts
+    records[:, 1, :KIND] = ends
+    records[:, 2, :KIND] = ends
+    rows = records.reshape(-1, STEP // 4)
+    _paint(rows, color, width, kind)
+    records[:, 2, KIND] = GAP
+    return rows
+
+
+def _paint(records: Records, color: int, width: float, kind: float) -> None:
+    records[:, KIND] = kind
+    records[:, COLOR].view(np.uint32)[:] = color
+    records[:, WIDTH] = width
+    records[:, BEFORE] = 0.0
+
+
+NOTHING: Final = np.zeros((0, STEP // 4), dtype=np.float32)
+A_GAP: Final = np.full((1, STEP // 4), GAP, dtype=np.float32)
