@@ -108,7 +108,9 @@ def _sums(net: Floats, by_u: Factors, by_v: Factors) -> Floats:
             lines = np.take_along_axis(lines, columns[:, None, :, None], axis=2)
     else:
         near = net[rows] if columns is None else net[rows[:, :, None], columns[:, None]]
-        lines = (left @ near.reshape(k, rows.shape[1], -1)).reshape(k, f, -1, width)
+        across = near.shape[2]
+        lines = left @ near.reshape(k, rows.shape[1], across * width)
+        lines = lines.reshape(k, f, across, width)
     return np.asarray(right[:, None] @ lines)
 
 
