@@ -62,12 +62,25 @@ def first_at_place(vertices: Floats) -> Indices:
     places = np.ascontiguousarray(vertices + 0.0)  # -0 + 0 is 0: equal numbers get equal bits
     x, y, z = places.view(np.uint64).T
     hashes = _mixed(_mixed(_mixed(x) + y) + z)
-    first, inverse = np.unique(hashes, return_index=True, return_inverse=True)[1:]
-    firsts: Indices = first[inverse]
+    firsts = _lowest_of_equals(hashes)
     if (places[firsts] != places).any():  # two places with one hash
         first, inverse = np.unique(places, axis=0, return_index=True, return_inverse=True)[1:]
         firsts = first[inverse.ravel()]
     return firsts
+
+
+def _lowest_of_equals(values: Hashes) -> Indices:
+    """(k,) where in a row each value stands first."""
+    order = np.argsort(values)
+    begins = np.ones(len(values), dtype=np.bool_)
+    np.not_equal(values[order[1:]], values[order[:-1]], out=begins[1:])
+    lowest = np.arange(len(values))
+    if not begins.all():
+        starts = np.flatnonzero(begins)
+        lowest[order] = np.repeat(
+            np.minimum.reduceat(order, starts), np.diff(starts, append=len(values))
+        )
+    return lowest
 
 
 def _distinct(numbers: NDArray[np.integer]) -> int:
@@ -114,10 +127,8 @@ def _first_of_copies(mesh: PolygonMesh) -> Flags:
     sums = np.zeros((mesh.face_count, 2), dtype=np.uint64)
     if mesh.face_count:
         sums = np.add.reduceat(np.stack([mixed, _mixed(mixed)], axis=1), mesh.starts[:-1])
-    order = np.argsort(sums[:, 0], kind="stable")
-    same = (sums[order[1:]] == sums[order[:-1]]).all(axis=1)
-    single = np.ones(mesh.face_count, dtype=np.bool_)
-    single[order[1:][same]] = False
+    first = _lowest_of_equals(np.ascontiguousarray(sums[:, 0]))
+    single: Flags = (first == np.arange(mesh.face_count)) | (sums[:, 1] != sums[first, 1])
     return single
 
 

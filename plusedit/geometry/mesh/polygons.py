@@ -143,13 +143,13 @@ class PolygonMesh:
         Of a polygon that is not flat, the area of its projection along the normal of its
         best-fitting plane (Newell's method).
         """
-        around = self.vertices[self.corners] - np.repeat(self._firsts, self.sizes, axis=0)
+        around = self.vertices[self.corners]
+        if (self.sizes == 3).all():
+            first, second, third = around.reshape(-1, 3, 3).transpose(1, 0, 2)
+            return fixed(0.5 * np.cross(second - first, third - first))
+        # Sums over differences lose no digits far from the origin.
+        around -= np.repeat(around[self.starts[:-1]], self.sizes, axis=0)
         return fixed(0.5 * self.sums(np.cross(around, around[self.following])))
-
-    @property
-    def _firsts(self) -> Floats:
-        """(f, 3) the first vertex of every face: sums over differences lose no digits."""
-        return self.vertices[self.corners[self.starts[:-1]]]
 
     @cached_property
     def areas(self) -> Floats:

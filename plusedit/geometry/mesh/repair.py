@@ -29,6 +29,7 @@ from plusedit.geometry.mesh.orientation import (
 from plusedit.geometry.mesh.polygons import Numbers, PolygonMesh, fixed, starts_of
 from plusedit.geometry.mesh.topology import (
     SharedEdges,
+    first_of_each,
     opposites,
     pairs,
     shared_edges,
@@ -156,10 +157,13 @@ def repaired(mesh: PolygonMesh) -> Repaired:
         raise ValueError(
             "no face has three different corners" if mesh.face_count else "there are no faces"
         )
-    kept, left_out = _with_two_sides_and_area(kept)
     shared, first, second, found = _sides(kept.mesh)
+    counts["one_sided"], counts["flat"], usable = _usable(kept.mesh, found)
+    if not usable.all():
+        kept = kept.taken(usable)
+        shared, first, second, found = _sides(kept.mesh)
     touched = _ends_of(kept.mesh, shared, shared.counts > 2)
-    counts |= left_out | found.counts() | {"opened": int(np.count_nonzero(shared.counts > 2))}
+    counts |= found.counts() | {"opened": int(np.count_nonzero(shared.counts > 2))}
     if found.turned.any():
         first, second = (half_edges_over(kept.mesh, found.turned, ends) for ends in (first, second))
         kept = turned_over(kept, found.turned)
@@ -179,10 +183,10 @@ def _sides(mesh: PolygonMesh) -> tuple[SharedEdges, Indices, Indices, Orientatio
     return shared, first, second, oriented(mesh, first, second)
 
 
-def _with_two_sides_and_area(kept: Kept) -> tuple[Kept, dict[str, int]]:
-    """Without parts of which no surface can be made, and how many those are."""
-    found = _sides(kept.mesh)[3]
-    one_sided, flat = found.one_sided, _flat(kept.mesh, found.component_of) & ~found.one_sided
+def _usable(mesh: PolygonMesh, found: Orientation) -> tuple[int, int, Flags]:
+    """How many parts are one-sided, how many have no area, and (f,) the faces of all others."""
+    one_sided = found.one_sided
+    flat = _flat(mesh, found.component_of) & ~one_sided
     bad = one_sided | flat
     if bad.all():
         raise ValueError(
@@ -190,8 +194,7 @@ def _with_two_sides_and_area(kept: Kept) -> tuple[Kept, dict[str, int]]:
             if one_sided.any()
             else "the faces have no area: the corners of each lie on one line"
         )
-    counts = {"one_sided": int(one_sided.sum()), "flat": int(flat.sum())}
-    return kept.taken(~bad[found.component_of]), counts
+    return int(one_sided.sum()), int(flat.sum()), ~bad[found.component_of]
 
 
 def _flat(mesh: PolygonMesh, component_of: Numbers) -> Flags:
@@ -212,8 +215,7 @@ def _ends_of(mesh: PolygonMesh, shared: SharedEdges, chosen: Flags) -> Indices:
 
 def _vertices_of_several(mesh: PolygonMesh, umbrella_of: Numbers) -> Indices:
     """The vertices that have more than one umbrella, ascending."""
-    firsts = np.unique(umbrella_of, return_index=True)[1]
-    return np.flatnonzero(np.bincount(mesh.corners[firsts]) > 1)
+    return np.flatnonzero(np.bincount(mesh.corners[first_of_each(umbrella_of)]) > 1)
 
 
 def _parts(kept: Kept, component_of: Numbers, umbrella_of: Numbers) -> Iterator[Part]:
@@ -226,7 +228,7 @@ def _parts(kept: Kept, component_of: Numbers, umbrella_of: Numbers) -> Iterator[
     starts = starts_of(mesh.sizes[faces])
     corners = np.arange(starts[-1]) + np.repeat(mesh.starts[faces] - starts[:-1], mesh.sizes[faces])
 
-    firsts = np.unique(umbrella_of, return_index=True)[1]
+    firsts = first_of_each(umbrella_of)
     numbers, part_of = mesh.corners[firsts], ranks[component_of[mesh.owners[firsts]]]
     umbrellas_sorted = np.lexsort((numbers, part_of))
     renumbered = np.empty_like(umbrellas_sorted)

@@ -167,8 +167,7 @@ class Topology:
         faces = np.bincount(self.component_of)
         of_corner = self.component_of[self.mesh.owners]
         edges = np.bincount(of_corner[self.leading], minlength=len(faces))
-        firsts = np.unique(self.umbrella_of, return_index=True)[1]
-        vertices = np.bincount(of_corner[firsts], minlength=len(faces))
+        vertices = np.bincount(of_corner[first_of_each(self.umbrella_of)], minlength=len(faces))
         rings = np.bincount([loop.component for loop in self.loops], minlength=len(faces))
         columns = (faces, edges, vertices, rings)
         return tuple(
@@ -268,8 +267,16 @@ def connected(count: int, first: NDArray[np.integer], second: NDArray[np.integer
 
     links = coo_array((np.ones(len(first), dtype=np.int8), (first, second)), shape=(count, count))
     labels = connected_components(links, directed=False)[1]
-    lowest = np.unique(labels, return_index=True)[1]
+    lowest = first_of_each(labels)
     ranks = np.empty(len(lowest), dtype=np.int32)
     ranks[np.argsort(lowest)] = np.arange(len(lowest), dtype=np.int32)
     numbered: Numbers = ranks[labels]
     return numbered
+
+
+def first_of_each(labels: Numbers) -> Indices:
+    """(k,) where each of the labels 0 to k - 1 stands first in a row in which all occur."""
+    firsts = np.empty(int(labels.max(initial=-1)) + 1, dtype=np.intp)
+    # Of several values for one place the last stays.
+    firsts[labels[::-1]] = np.arange(len(labels) - 1, -1, -1)
+    return firsts
