@@ -25,6 +25,8 @@ A surface is a `PlusSurface`: a basis by u and one by v, `ControlPlanes` and s. 
     surface_transforms             moved and turned; u and v swapped or run backwards
     surface_magnitude              the natural lengths, the best s, one s that suits both ways
     surface_tangency, _passing     tangent at the corners, through its control points
+    surface_frames, surface_area   normals and curvatures, the area
+    surface_nearest, _tessellate   the nearest point, where a ray meets it, grids fine enough
 """
 
 from plusedit.geometry.bases.bernstein import Bernstein
@@ -55,7 +57,13 @@ from plusedit.geometry.standard import (
     from_rational_quadratic_path,
 )
 from plusedit.geometry.surface import PlusSurface
+from plusedit.geometry.surface_area import area
 from plusedit.geometry.surface_elevation import StandardSurface, elevated_surface
+from plusedit.geometry.surface_frames import (
+    gaussian_curvature,
+    mean_curvature,
+    principal_curvatures,
+)
 from plusedit.geometry.surface_insertion import insert_column, insert_row
 from plusedit.geometry.surface_magnitude import (
     balanced,
@@ -63,12 +71,14 @@ from plusedit.geometry.surface_magnitude import (
     natural_length,
     natural_lengths,
 )
+from plusedit.geometry.surface_nearest import RayHit, hit_by_ray, nearest_on_surface
 from plusedit.geometry.surface_passing import passing_through_surface
 from plusedit.geometry.surface_tangency import (
     tangent_at_corners,
     tangent_to_plane,
     tangent_to_planes,
 )
+from plusedit.geometry.surface_tessellate import surface_size, surface_tessellation
 from plusedit.geometry.surface_transforms import (
     reversed_surface,
     transformed_surface,
@@ -88,9 +98,11 @@ __all__ = [
     "PlusCurve",
     "PlusSurface",
     "RationalGaussian",
+    "RayHit",
     "StandardCurve",
     "StandardSurface",
     "arc_length",
+    "area",
     "balanced",
     "best_s",
     "best_surface_s",
@@ -108,14 +120,18 @@ __all__ = [
     "from_bezier_path",
     "from_rational_quadratic",
     "from_rational_quadratic_path",
+    "gaussian_curvature",
+    "hit_by_ray",
     "hull_mesh",
     "inflections",
     "insert_column",
     "insert_line",
     "insert_row",
     "iso_curve",
+    "mean_curvature",
     "natural_length",
     "natural_lengths",
+    "nearest_on_surface",
     "nearest_parameter",
     "nearest_parameters",
     "nearest_to_ray",
@@ -123,9 +139,12 @@ __all__ = [
     "passing_through",
     "passing_through_surface",
     "polygon_length",
+    "principal_curvatures",
     "reversed_curve",
     "reversed_surface",
     "span_hulls",
+    "surface_size",
+    "surface_tessellation",
     "tangent_at_corners",
     "tangent_at_ends",
     "tangent_to_plane",
