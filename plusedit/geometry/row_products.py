@@ -9,6 +9,7 @@ loads them unasked: before `load_kernels`, and without numba, BLAS does all of i
 
 from dataclasses import dataclass
 from functools import cached_property
+from importlib import import_module
 from threading import Thread
 from types import ModuleType
 
@@ -33,11 +34,11 @@ def load_kernels() -> bool:
     global _kernels
     if _kernels is None:
         try:
-            from plusedit.geometry import row_kernels
+            kernels = import_module("plusedit.geometry.row_kernels")
         except ImportError:
             return False
-        _try_out(row_kernels)
-        _kernels = row_kernels
+        _try_out(kernels)
+        _kernels = kernels
     return True
 
 
