@@ -200,7 +200,7 @@ def shaded(qapp, gl, monkeypatch):
         box = frame_of(patch.surface).box(patch.surface.s)
         sight = Sight.of(camera, [box], Palette(LIGHT))
         sight.show(program, buffers.origin)
-        sight.show_light(program, buffers.origin, "front", "back")
+        sight.show_light(program, buffers.origin, (1.0,) * 4, (1.0,) * 4)
         program.set("s", patch.surface.s)
         program.set("least", patches.POINTLIKE * frame_of(patch.surface).size)
         found = np.zeros((count, 6), np.float32)

@@ -1,12 +1,14 @@
 """Triangles with light on them."""
 
 from collections.abc import Iterable
+from math import sqrt
 
 import numpy as np
 
 from plusedit.geometry.arrays import Floats
 from plusedit.scene.items import Mesh
 from plusedit.views.gl.buffers import Attribute, Buffer, VertexArray
+from plusedit.views.gl.colors import Shade
 from plusedit.views.gl.functions import (
     ELEMENT_ARRAY_BUFFER,
     TRIANGLES,
@@ -65,10 +67,12 @@ class Meshes:
     def draw(self, mesh: Mesh, sight: Sight) -> None:
         """Draw one of those that were shown, both of its sides or what is not culled."""
         held = self._held[mesh]
-        program = self._programs.named("mesh", "shade", *sight.styles)
+        front, back = (_of_two(sight.palette.albedo(color)) for color in (mesh.front, mesh.back))
+        glass = ("GLASS",) if min(front[3], back[3]) < 1.0 else ()
+        program = self._programs.named("mesh", "shade", *sight.styles, *glass)
         program.use()
         sight.show(program, held.origin)
-        sight.show_light(program, held.origin, mesh.front, mesh.back)
+        sight.show_light(program, held.origin, front, back)
         held.draw()
 
     def release(self) -> None:
@@ -76,3 +80,9 @@ class Meshes:
         for held in self._held.values():
             held.release()
         self._held = {}
+
+
+def _of_two(shade: Shade) -> Shade:
+    """The color of each of the two faces that are seen of a body, so that both have that opacity."""
+    red, green, blue, opacity = shade
+    return red, green, blue, 1.0 - sqrt(1.0 - opacity)

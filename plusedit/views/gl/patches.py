@@ -203,11 +203,16 @@ class Patches:
     def draw(self, patch: Patch, sight: Sight) -> None:
         """Draw one of those that were shown, both of its sides or what is not culled."""
         buffers = self._held[key_of(patch)]
-        wired = ("WIRE",) if patch.wire is not None else ()
-        program = self._programs.named("patch", "shade", *sight.styles, *wired)
+        front, back = (sight.palette.albedo(color) for color in (patch.front, patch.back))
+        styles = list(sight.styles)
+        if patch.wire is not None:
+            styles.append("WIRE")
+        if min(front[3], back[3]) < 1.0:
+            styles.append("GLASS")
+        program = self._programs.named("patch", "shade", *styles)
         program.use()
         sight.show(program, buffers.origin)
-        sight.show_light(program, buffers.origin, patch.front, patch.back)
+        sight.show_light(program, buffers.origin, front, back)
         program.set("s", patch.surface.s)
         program.set("least", POINTLIKE * frame_of(patch.surface).size)
         if patch.wire is not None:

@@ -8,7 +8,7 @@ import numpy as np
 
 from plusedit.geometry.arrays import Floats
 from plusedit.scene.space_camera import SpaceCamera
-from plusedit.views.gl.colors import Palette
+from plusedit.views.gl.colors import Palette, Shade
 from plusedit.views.gl.programs import Program
 
 BESIDE = 16.0  # pixels before the nearest and beyond the farthest point that are drawn, too
@@ -81,11 +81,11 @@ class Sight:
             program.told = self
             self._show_frame(program)
 
-    def show_light(self, program: Program, origin: Floats, front: str, back: str) -> None:
-        """Tell a program in use, besides, where the eye is, and the colors of both sides."""
+    def show_light(self, program: Program, origin: Floats, front: Shade, back: Shade) -> None:
+        """Tell a program in use, besides, where the eye is, and what both sides throw back."""
         program.set("eye", *(self.camera.axes_of_view @ (self._eye - origin)).tolist())
-        program.set("front", *self.palette.albedo(front))
-        program.set("back", *self.palette.albedo(back))
+        program.set("front", *front)
+        program.set("back", *back)
 
     @cached_property
     def _eye(self) -> Floats:

@@ -58,7 +58,8 @@ void main() {
     place = vec2(is_end ? reach + radius + 0.5 : -radius - 0.5, side * (radius + 0.5));
     vec2 at = from + place.x * along + place.y * across;
     vec4 clip = is_end ? b : a;
-    float depth = clip.z / clip.w + 1.5 * (pull.x / clip.w + pull.y);
+    // In front of the surface it lies on, and of thinner lines that run along with it.
+    float depth = clip.z / clip.w + (1.0 + form.x) * (pull.x / clip.w + pull.y);
     gl_Position = vec4((at / size * 2.0 - 1.0) * crop.xy + crop.zw, depth, 1.0);
 
 #ifdef FADING

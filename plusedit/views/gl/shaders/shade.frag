@@ -58,9 +58,13 @@ void main() {
 
     vec4 side = gl_FrontFacing ? front : back;
     vec3 shown = sqrt(clamp(lit(side.rgb, n, v), DARKEST, BRIGHTEST));
-    // Glass is denser where it is seen along its surface.
+    float alpha = side.a;
+#ifdef GLASS
+    // It is lit from within as well, and denser where it is seen along its surface.
     float rim = 1.0 - abs(facing);
-    float alpha = side.a + (1.0 - side.a) * 0.45 * rim * rim;
+    shown = mix(shown, sqrt(side.rgb), 0.5);
+    alpha += (1.0 - alpha) * 0.3 * rim * rim;
+#endif
 #ifdef WIRE
     vec2 step_of = max(fwidth(cell), 1e-9);
     vec2 off = abs(fract(cell - 0.5) - 0.5) / step_of;
