@@ -48,7 +48,7 @@ def ground_of(camera: SpaceCamera) -> Ground | None:
     for axis in (a for a in range(3) if a != across):
         along = 3 - across - axis
         low, high = float(middle[axis]) - reach, float(middle[axis]) + reach
-        majors, minors = marks.between(low, high)
+        majors, minors = (at[np.abs(at - middle[axis]) < reach] for at in marks.between(low, high))
         is_axis = np.abs(majors) < marks.minor / 2.0
         for at, color in (
             (minors, f"minor@{round(100 * strength * marks.strength)}"),
@@ -71,7 +71,7 @@ def _across(camera: SpaceCamera) -> int:
 
 def _lines(at: Floats, axis: int, along: int, middle: Floats, reach: float, color: str) -> Segments:
     """Chords of the circle about the middle where one coordinate is `at`."""
-    half = np.sqrt(np.maximum(reach**2 - (at - middle[axis]) ** 2, 0.0))
+    half = np.sqrt(reach**2 - (at - middle[axis]) ** 2)
     starts = np.tile(middle, (len(at), 1))
     starts[:, axis] = at
     ends = starts.copy()

@@ -83,6 +83,6 @@ class Meshes:
 
 
 def _of_two(shade: Shade) -> Shade:
-    """The color of each of the two faces that are seen of a body, so that both have that opacity."""
+    """The color of each of two faces of a body, so that both together have that opacity."""
     red, green, blue, opacity = shade
     return red, green, blue, 1.0 - sqrt(1.0 - opacity)
