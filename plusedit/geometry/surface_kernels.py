@@ -33,6 +33,7 @@ from plusedit.geometry.surface_terms import (
     BasisTaps,
     Grids,
     Nets,
+    Part,
     basis_taps,
     beside_points,
     extent,
@@ -72,7 +73,7 @@ def surface_buffers(
     To single precision, but for coordinates beyond 1e30, which are cut. Along a border that is
     drawn together to a point the tangents are those just beside it, which have a normal.
     """
-    return _buffers((basis_u, basis_v), planes, (grid_u, grid_v), slice(0, len(grid_u)))
+    return _buffers((basis_u, basis_v), planes, (grid_u, grid_v), None)
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,11 +100,19 @@ def changed_rows(
     directions included: on a B-spline of many planes a few rows only.
     """
     moved = _moved(basis_u, basis_v, planes, before)
-    reached = np.flatnonzero((_reach(basis_u, grid_u) & moved).any(axis=1))
-    if not len(reached):
+    reach = _reach(basis_u, grid_u)
+    rows = _span((reach & moved).any(axis=1))
+    if rows is None:
         return None
-    rows = slice(int(reached[0]), int(reached[-1]) + 1)
-    return ChangedRows(rows, _buffers((basis_u, basis_v), planes, (grid_u, grid_v), rows))
+    reached = _span(reach[rows[0] : rows[1]].any(axis=0)) or (0, 0)
+    buffers = _buffers((basis_u, basis_v), planes, (grid_u, grid_v), (*rows, *reached))
+    return ChangedRows(slice(*rows), buffers)
+
+
+def _span(flags: NDArray[np.bool_] | np.bool_) -> tuple[int, int] | None:
+    """The first and the end of what is true; None if nothing is."""
+    found = np.flatnonzero(flags)
+    return (int(found[0]), int(found[-1]) + 1) if len(found) else None
 
 
 def _moved(
@@ -192,38 +201,44 @@ def _exact_tangents(surface: PlusSurface, grid_u: Grid, grid_v: Grid) -> tuple[S
     return tuple(single(unit(way)).reshape(len(grid_u), -1) for way in (by_u, by_v))
 
 
-def _both_taps(bases: Bases, grids: Grids) -> list[tuple[BasisTaps, BasisTaps]]:
-    """By u, then by v: those of the values and those of the slopes."""
+def _both_taps(
+    bases: Bases, grids: Grids, part: Part | None = None
+) -> list[tuple[BasisTaps, BasisTaps]]:
+    """By u, of a part or all, then by v: those of the values and those of the slopes."""
     return [
-        (basis_taps(basis, grid, 0), basis_taps(basis, grid, 1))
-        for basis, grid in zip(bases, grids, strict=True)
+        (basis_taps(basis, grid, 0, some), basis_taps(basis, grid, 1, some))
+        for basis, grid, some in zip(bases, grids, (part, None), strict=True)
     ]
 
 
-def _buffers(bases: Bases, planes: ControlPlanes, grids: Grids, rows: slice) -> SurfaceBuffers:
-    """The buffers at those rows of samples."""
+def _buffers(
+    bases: Bases, planes: ControlPlanes, grids: Grids, part: Part | None
+) -> SurfaceBuffers:
+    """The buffers at some rows of samples, or all."""
     beside = beside_points(bases, planes, grids)
     if is_even(planes):
-        found = _terms(bases, planes, grids, beside, rows)
+        found = _terms(bases, planes, grids, beside, part)
     else:
         at = tangent_terms(*bases, planes, *grids)
         near = tangent_terms(*bases, planes, *beside)
         exact = (at.base, at.plus, near.base_u, near.plus_u, near.base_v, near.plus_v)
+        rows = slice(None) if part is None else slice(*part[:2])
         found = [single(term[rows]) for term in exact]
     return SurfaceBuffers(*(term.reshape(len(term), -1, 3) for term in found))
 
 
 def _terms(
-    bases: Bases, planes: ControlPlanes, grids: Grids, beside: Grids, rows: slice
+    bases: Bases, planes: ControlPlanes, grids: Grids, beside: Grids, part: Part | None
 ) -> list[Singles]:
     """The six of them in single precision, (rows, 3 m_v) each."""
-    (by_u, _), (by_v, _) = _both_taps(bases, grids)
-    at = Nets.of(bases, planes).terms(by_u, by_v, rows).divided()
+    rows = slice(None) if part is None else slice(*part[2:])
+    (by_u, _), (by_v, _) = _both_taps(bases, grids, part)
+    at = Nets.of(bases, planes, rows=rows).terms(by_u, by_v).divided()
     # From one of the points on: far from the origin differences would be lost.
-    nets = Nets.of(bases, planes, middle=planes.points[0, 0])
-    (u, u_slope), (v, v_slope) = _both_taps(bases, beside)
-    ways = [nets.terms(u_slope, v, rows), nets.terms(u, v_slope, rows)]
+    nets = Nets.of(bases, planes, middle=planes.points[0, 0], rows=rows)
+    (u, u_slope), (v, v_slope) = _both_taps(bases, beside, part)
+    ways = [nets.terms(u_slope, v), nets.terms(u, v_slope)]
     if nets.weights is not None:
-        near = nets.terms(u, v, rows).divided()
+        near = nets.terms(u, v).divided()
         ways = [way.derived(near) for way in ways]
     return [at.base, at.plus, *(term for way in ways for term in (way.base, way.plus))]

@@ -35,11 +35,20 @@ class BasisTaps:
     both: Taps
 
 
+Part = tuple[int, int, int, int]
+"""First and end of some samples, and of the control planes that reach them."""
+
+
 @lru_cache(maxsize=48)
-def basis_taps(basis: Basis, grid: Grid, derivative: int = 0) -> BasisTaps:
-    """The same object for equal arguments."""
+def basis_taps(
+    basis: Basis, grid: Grid, derivative: int = 0, part: Part | None = None
+) -> BasisTaps:
+    """Those of all samples and planes, or of a part; the same object for equal arguments."""
     made = blend(basis, grid, derivative)
     values, reaches = dense(made.values), dense(made.reaches)
+    if part is not None:
+        first, end, lowest, beyond = part
+        values, reaches = (each[first:end, lowest:beyond] for each in (values, reaches))
     return BasisTaps(Taps.of(values), Taps.of(reaches), Taps.of(np.hstack([values, reaches])))
 
 
@@ -85,28 +94,32 @@ class Nets:
         s: float = 1.0,
         middle: Floats = ORIGIN,
         factor: float = 1.0,
+        rows: slice = WHOLE,
     ) -> "Nets":
-        """Directions times s, points measured from `middle`, and all lengths times `factor`."""
+        """Directions times s, points measured from `middle`, and all lengths times `factor`.
+
+        Of those `rows` of control planes only.
+        """
         closed_u, closed_v = (basis.closed for basis in bases)
-        points = planes.points
-        along_u, along_v = planes.directions(closed_u=closed_u, closed_v=closed_v)
+        points = planes.points[rows]
+        along_u, along_v = planes.directions(closed_u=closed_u, closed_v=closed_v)[:, rows]
         weights = None
         if planes.weights is not None:
-            shares = planes.unit_weights[..., None]
+            shares = planes.unit_weights[rows, :, None]
             points, middle = shares * (points - middle), ORIGIN
             along_u, along_v = shares * along_u, shares * along_v
             weights = turned(np.repeat(shares, 3, axis=2), ORIGIN)
         by_u, by_v = (turned(way, ORIGIN, factor * s) for way in (along_u, along_v))
         return cls(turned(points, middle, factor), by_u, by_v, weights)
 
-    def terms(self, by_u: BasisTaps, by_v: BasisTaps, rows: slice = WHOLE) -> Terms:
-        """What multiplies 1 and s, at those rows of samples."""
-        base = by_u.values.along(by_v.values.across(self.points), rows)
+    def terms(self, by_u: BasisTaps, by_v: BasisTaps) -> Terms:
+        """What multiplies 1 and s."""
+        base = by_u.values.along(by_v.values.across(self.points))
         pulls = (by_v.reaches.across(self.along_v), by_v.values.across(self.along_u))
-        plus = by_u.both.along(np.concatenate(pulls), rows)
+        plus = by_u.both.along(np.concatenate(pulls))
         if self.weights is None:
             return Terms(base, plus, None)
-        return Terms(base, plus, by_u.values.along(by_v.values.across(self.weights), rows))
+        return Terms(base, plus, by_u.values.along(by_v.values.across(self.weights)))
 
     def lines(self, by_v: BasisTaps) -> Singles:
         """(2 n_u, 3 m_v) points, then directions, of the lines by u at the samples by v.
