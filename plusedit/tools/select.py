@@ -30,6 +30,7 @@ from plusedit.interaction.tool import (
     register,
 )
 from plusedit.interaction.turning import pull_drag, side_of, turn_drag
+from plusedit.scene.camera import PlaneCamera
 
 EMPTY = 2.0 * REACH  # pixels to anything: only a click farther off clears the selection
 
@@ -40,13 +41,17 @@ HINTS = {
     "double-click: automatic again",
     "curve": "Drag to move the shape · click selects, Shift adds · double-click: all its lines",
     "surface": "Drag to move the shape · click selects, Shift adds · "
-    "double-click: all its planes, or the row of a net edge",
+    "double-click: all its planes, or the row or column of a net edge",
     "arrow": "Drag to move along this axis · Ctrl snaps to the grid · type a distance",
     "ring": "Drag to turn the plane about this axis · Ctrl snaps to 15° · Shift is slow · "
     "type degrees",
-    "edge": "Double-click selects the row of control planes, Shift adds it",
+    "edge": "Double-click selects the {row} of control planes along this edge, Shift adds it",
     "": "Click or drag a box to select · V P I H choose tools · G R S move, rotate, scale",
 }
+SPACE_HINT = (
+    "Click or drag a box to select · middle drag or Alt + drag orbits, Shift + middle drag pans, "
+    "wheel zooms"
+)
 CURSORS = {"grip": "turn", "ring": "turn", "edge": "arrow"}
 
 
@@ -115,10 +120,11 @@ class Select:
         if hit is None or hit.kind == "surface":
             hit = edge_under(at.at, stage) or hit
         if hit is None:
-            return Feedback(hint=HINTS[""])
-        return Feedback(
-            tuple(highlight(hit, stage)), HINTS[hit.kind], cursor=CURSORS.get(hit.kind, "move")
-        )
+            in_plane = isinstance(stage.camera, PlaneCamera)
+            return Feedback(hint=HINTS[""] if in_plane else SPACE_HINT)
+        # The planes along which u runs are those of one node by v.
+        hint = HINTS[hit.kind].format(row="row" if hit.axis else "column")
+        return Feedback(tuple(highlight(hit, stage)), hint, cursor=CURSORS.get(hit.kind, "move"))
 
     def keys(self, stage: Stage) -> frozenset[str]:
         """None of its own."""
