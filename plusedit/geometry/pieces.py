@@ -48,8 +48,9 @@ def pieces(curve: PlusCurve) -> Grid:
 
 def surface_pieces(surface: PlusSurface) -> tuple[Grid, Grid]:
     """The same by u and by v."""
-    contrast = _contrast(surface.planes.unit_weights)
-    return _pieces(surface.basis_u, contrast), _pieces(surface.basis_v, contrast)
+    weights = surface.planes.unit_weights
+    by_u, by_v = _contrast(weights), _contrast(weights.T)
+    return _pieces(surface.basis_u, by_u), _pieces(surface.basis_v, by_v)
 
 
 def degree(basis: Basis) -> int:
@@ -62,8 +63,11 @@ def degree(basis: Basis) -> int:
 
 
 def _contrast(weights: Floats) -> int:
-    """The logarithm of the largest ratio of weights, rounded up; 0 where it does not matter."""
-    ratio = 1.0 / float(weights.min())
+    """The logarithm of the largest ratio of weights, rounded up; 0 where it does not matter.
+
+    Of those (n,) or, if they are (n, m), of any of their columns.
+    """
+    ratio = float((weights.max(axis=0) / weights.min(axis=0)).max())
     return 0 if ratio <= EVEN else ceil(log(ratio))
 
 

@@ -20,7 +20,7 @@ from plusedit.geometry.surface import PlusSurface
 ROUNDS = 60  # a jump between two neighboring doubles is found in 52 halvings
 PARTS = 8  # at most, of one interval in one round
 COARSER = 1.25  # factor by which the tolerance is raised while too many points are asked for
-SAFE = 0.9  # of the tolerance: between the samples the surface may stray a little more
+SAFE = 0.8  # of the tolerance: between samples, and in bent cells, the surface strays farther
 BLOCK = 1 << 18  # points that are worked on at once
 START = 4.0  # a first grid of more than this share of what is allowed is made of knots alone
 SEEN = Grid.uniform(33)  # where the size of a surface is measured
