@@ -21,6 +21,7 @@ from plusedit.geometry.mesh.triangulation import triangulated
 if TYPE_CHECKING:
     from plusedit.geometry.mesh.topology import Topology
 
+Indices = NDArray[np.intp]
 Numbers = NDArray[np.int32]
 """Of vertices, corners or faces; -1 where there is none."""
 
@@ -206,12 +207,10 @@ class PolygonMesh:
 
         return Topology(self)
 
-    def taken(self, face_numbers: "Sequence[int] | Numbers | NDArray[np.intp]") -> Taken:
+    def taken(self, face_numbers: "Sequence[int] | Numbers | Indices") -> Taken:
         """The faces of these numbers, in this order, with only the vertices that they use."""
         faces = np.asarray(face_numbers, dtype=np.int64)
-        sizes = self.sizes[faces]
-        starts = starts_of(sizes)
-        corner_numbers = np.arange(starts[-1]) + np.repeat(self.starts[faces] - starts[:-1], sizes)
+        corner_numbers, starts = rows_of(self.sizes, faces)
         kept = np.zeros(self.vertex_count, dtype=np.bool_)
         kept[self.corners[corner_numbers]] = True
         renumbered = np.cumsum(kept, dtype=np.int32) - 1
@@ -236,6 +235,17 @@ def starts_of(sizes: NDArray[np.integer]) -> Numbers:
     if starts[-1] > MOST:
         raise ValueError(f"faces: have {starts[-1]} corners, more than the {MOST} that fit")
     return starts.astype(np.int32)
+
+
+def rows_of(sizes: NDArray[np.integer], rows: NDArray[np.integer]) -> tuple[Indices, Numbers]:
+    """Where the entries of some rows stand if rows of these sizes (f,) follow each other.
+
+    Then the starts, as of `starts_of`, of the chosen rows put together.
+    """
+    chosen = sizes[rows]
+    starts, before = starts_of(chosen), np.cumsum(sizes) - sizes
+    places: Indices = np.arange(starts[-1]) + np.repeat(before[rows] - starts[:-1], chosen)
+    return places, starts
 
 
 def fixed(array: NDArray[Kind]) -> NDArray[Kind]:

@@ -26,7 +26,7 @@ from plusedit.geometry.mesh.orientation import (
     oriented,
     turned_over,
 )
-from plusedit.geometry.mesh.polygons import Numbers, PolygonMesh, fixed, starts_of
+from plusedit.geometry.mesh.polygons import Numbers, PolygonMesh, fixed, rows_of
 from plusedit.geometry.mesh.topology import (
     SharedEdges,
     first_of_each,
@@ -225,8 +225,7 @@ def _parts(kept: Kept, component_of: Numbers, umbrella_of: Numbers) -> Iterator[
     ranks = np.empty_like(sizes)
     ranks[np.argsort(-sizes, kind="stable")] = np.arange(len(sizes))
     faces = np.argsort(ranks[component_of], kind="stable")
-    starts = starts_of(mesh.sizes[faces])
-    corners = np.arange(starts[-1]) + np.repeat(mesh.starts[faces] - starts[:-1], mesh.sizes[faces])
+    corners, starts = rows_of(mesh.sizes, faces)
 
     firsts = first_of_each(umbrella_of)
     numbers, part_of = mesh.corners[firsts], ranks[component_of[mesh.owners[firsts]]]
