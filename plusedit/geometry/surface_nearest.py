@@ -56,18 +56,20 @@ def hit_by_ray(surface: PlusSurface, origin: ArrayLike, direction: ArrayLike) ->
     shift = float((cells.middles.mean(axis=0) - start) @ heading)
     near = start + shift * heading
     pierced = piercings(near, heading, cells, _in_reach(cells, near, heading))
-    pierced = pierced.taken(np.flatnonzero(pierced.along + shift + cells.stray >= 0.0))
-    if not len(pierced.along):
-        return None
-    order = np.argsort(pierced.along, kind="stable")[:TIES]
-    near_first = pierced.along[order] <= pierced.along[order[0]] + 2.0 * cells.stray
-    places, along = _met(surface, cells, pierced.taken(order[near_first]), near, heading)
-    front = np.flatnonzero(along + shift >= 0.0)
-    if not len(front):
-        return None
-    best = front[along[front].argmin()]
-    u, v = _in_period(surface, places[best])
-    return RayHit(u, v, near + along[best] * heading, float(along[best]) + shift)
+    left = np.flatnonzero(pierced.along + shift + cells.stray >= 0.0)
+    left = left[np.argsort(pierced.along[left], kind="stable")]
+    while len(left):
+        along = pierced.along[left[:TIES]]
+        count = np.count_nonzero(along <= along[0] + 2.0 * cells.stray)
+        places, along = _met(surface, cells, pierced.taken(left[:count]), near, heading)
+        along = np.where(along + shift >= 0.0, along, np.inf)
+        best = along.argmin()
+        if np.isfinite(along[best]):
+            u, v = _in_period(surface, places[best])
+            return RayHit(u, v, near + along[best] * heading, float(along[best]) + shift)
+        # All of these turned out to lie just behind the origin.
+        left = left[count:]
+    return None
 
 
 def nearest_on_surface(surface: PlusSurface, point: ArrayLike) -> tuple[float, float]:
