@@ -19,6 +19,7 @@ from plusedit.geometry.arrays import Floats, frozen
 from plusedit.geometry.mesh.triangulation import triangulated
 
 if TYPE_CHECKING:
+    from plusedit.geometry.mesh.subdivision import Subdivided
     from plusedit.geometry.mesh.topology import Topology
 
 Indices = NDArray[np.intp]
@@ -218,6 +219,12 @@ class PolygonMesh:
         numbers = np.flatnonzero(kept).astype(np.int32)
         mesh = PolygonMesh(self.vertices[numbers], corners, starts)
         return Taken(mesh, fixed(numbers), fixed(corner_numbers.astype(np.int32)))
+
+    def subdivided(self, times: int) -> "Subdivided":
+        """The mesh with every edge halved `times` times, and what values by corner become."""
+        from plusedit.geometry.mesh.subdivision import subdivided
+
+        return subdivided(self, times)
 
     def with_vertices(self, vertices: Floats) -> "PolygonMesh":
         """The same faces with as many other vertices (n, 3)."""
