@@ -8,9 +8,9 @@ loads them unasked: before `load_kernels`, and without numba, BLAS does all of i
 """
 
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cache, cached_property
 from importlib import import_module
-from threading import Thread
+from threading import Thread, main_thread
 from types import ModuleType
 
 import numpy as np
@@ -42,8 +42,9 @@ def load_kernels() -> bool:
     return True
 
 
+@cache
 def load_kernels_in_background() -> Thread:
-    """The same on a thread, which is given back; products are made by BLAS until it is done."""
+    """The same on a thread, the first time this is asked; till it is done BLAS makes products."""
     thread = Thread(target=load_kernels, name="kernels")
     thread.start()
     return thread
@@ -60,6 +61,8 @@ def _try_out(kernels: ModuleType) -> None:
         (kernels.crossed, (rows[0], rows[1], np.float32(1.0), out[0])),
     ]
     for kernel, arguments in calls:
+        if not main_thread().is_alive():  # the program ends, and would wait for this
+            return
         try:
             kernel(*arguments)
         except OSError:  # what was compiled could not be kept; it is there all the same

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QWidget
 from plusedit.document.session import Session
 from plusedit.document.shape import ShapeId
 from plusedit.geometry.arrays import Floats
+from plusedit.geometry.row_products import load_kernels_in_background
 from plusedit.interaction.facets import surfaces_under
 from plusedit.interaction.gesture import Gestures
 from plusedit.interaction.picking import under
@@ -74,7 +75,8 @@ class SpaceCanvas(Editing[SpaceCamera], SpaceView):
         if self._problem:
             return
         start = perf_counter()
-        is_draft = self._is_moving or (self._is_slow and self._session.is_previewing)
+        is_edited = self._session.is_previewing and not self._is_resting
+        is_draft = self._is_moving or (self._is_slow and is_edited)
         self._layers = space_items(
             self._session.design,
             self.camera,
@@ -88,6 +90,8 @@ class SpaceCanvas(Editing[SpaceCamera], SpaceView):
             self._problem = str(error)
         if not is_draft:
             self._seconds = perf_counter() - start
+            if self._layers.solids:
+                load_kernels_in_background()
 
     def _draw_layers(self, is_draft: bool) -> None:
         drawn = self._drawn = self._drawn or _Drawn(current_functions())

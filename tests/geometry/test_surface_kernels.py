@@ -208,8 +208,17 @@ def test_without_numba_there_are_no_loops_and_nothing_fails(monkeypatch):
     monkeypatch.setattr(row_products, "_kernels", None)
     monkeypatch.setitem(sys.modules, "plusedit.geometry.row_kernels", None)
     assert not load_kernels()
+    load_kernels_in_background.cache_clear()
     load_kernels_in_background().join()
+    load_kernels_in_background.cache_clear()
     assert np.isfinite(surface_points(a_surface(), *GRIDS)).all()
+
+
+def test_they_are_loaded_once():
+    load_kernels_in_background.cache_clear()
+    thread = load_kernels_in_background()
+    assert load_kernels_in_background() is thread
+    thread.join()
 
 
 def test_where_nothing_can_be_kept_loops_are_compiled_anew(monkeypatch):
