@@ -2,7 +2,7 @@
 
     xvfb-run -a .venv/bin/python tests/benchmarks/space_frames.py
 
-A surface of 20 x 20 control planes at 256 x 256 samples in a view of 1200 x 800. A frame is a mouse
+A surface of 20 x 20 control planes at 257 x 257 samples in a view of 1200 x 800. A frame is a mouse
 move, or another s, sent to the view and everything that follows until the window is composed. The
 peer is a static redraw: the same frame with nothing changed. All take turns. `besides` is what of
 it is not drawing, in time of the processor: the edit, evaluation, upload and our own Python, with
@@ -42,7 +42,7 @@ from plusedit.views.gl.functions import RENDERER
 from plusedit.views.opengl import prepare_opengl
 
 SIZE = (1200, 800)
-PLANES, SAMPLES = 20, 256
+PLANES, SAMPLES = 20, 257
 FRAMES, ROUNDS = 40, 3
 SHEET = ShapeId("sheet")
 HELD = 10 * PLANES + 10
@@ -217,7 +217,7 @@ def main() -> None:
             print(
                 f"Python {platform.python_version()}, numpy {np.__version__}, "
                 f"PySide6 {PySide6.__version__}, {view.gl.text(RENDERER)}, {os.cpu_count()} cores, "
-                f"{SIZE[0]} x {SIZE[1]}, {PLANES} x {PLANES} planes at {SAMPLES} x {SAMPLES}"
+                f"{SIZE[0]} x {SIZE[1]}, {PLANES} x {PLANES} planes, {SAMPLES} x {SAMPLES} samples"
             )
             print(f"{'':<16}{'static':>9}{'drag':>9}{'ratio':>7}{'s':>9}{'ratio':>7}   (ms)")
         for row, timing in ((name, measured(view, whole)), ("  besides", without_drawing(view))):
