@@ -9,6 +9,7 @@ from plusedit.geometry.surface import PlusSurface
 # Of the whole area, what the rule of Gauss and Legendre in one cell may differ by from that for
 # its quarters; their own error is a small part of that.
 ACCURACY = 1e-10
+LEAST = 1e-5  # of the square of the size: of smaller areas the accuracy is that of such a one
 ROUNDS = 30
 MOST = 1 << 20  # samples; a surface folded flat is not smooth along its folds
 BLOCK = 1 << 16  # samples that are worked on at once
@@ -28,7 +29,9 @@ def area(surface: PlusSurface) -> float:
     quarters = _on_grid(surface, u, v)
     whole = _on_grid(surface, u[::2], v[::2])
     both = quarters.reshape(len(whole), 2, -1, 2).sum(axis=(1, 3))
-    allowed = ACCURACY * float(both.sum())
+    # What is drawn together to a line has an area of rounding; that is not worth dividing.
+    size = float(np.abs(surface.planes.points).max() + np.abs(surface.gradients).max())
+    allowed = ACCURACY * max(float(both.sum()), LEAST * size * size)
     is_rough = np.abs(both - whole) > allowed
     rows, columns = np.nonzero(is_rough.repeat(2, axis=0).repeat(2, axis=1))
     low = np.stack([u[rows], v[columns]], axis=1)

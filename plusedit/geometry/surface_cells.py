@@ -18,7 +18,7 @@ from plusedit.geometry.surface import PlusSurface
 from plusedit.geometry.surface_tessellate import surface_size, surface_tessellation
 
 STRAY = 5e-3  # of the size of the surface: how far triangles may lie from it
-MOST = 1 << 14  # corners of all cells
+MOST = 1 << 13  # corners of all cells
 SLACK = 1e-9  # of a triangle: a line between two of them goes through both
 AHEAD = 1.5  # times what a cell strays in its middle, it strays at most
 

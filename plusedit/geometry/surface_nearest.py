@@ -118,8 +118,8 @@ def _ray(origin: ArrayLike, direction: ArrayLike) -> tuple[Floats, Floats]:
 def _in_reach(cells: Cells, origin: Floats, heading: Floats) -> NDArray[np.intp]:
     """Cells whose balls a line comes into."""
     away = cells.middles - origin
-    away -= np.outer(away @ heading, heading)
-    return np.flatnonzero(np.einsum("kd,kd->k", away, away) <= cells.radii**2)
+    squares = np.einsum("kd,kd->k", away, away) - (away @ heading) ** 2
+    return np.flatnonzero(squares <= cells.radii**2)
 
 
 def _met(
