@@ -1,7 +1,7 @@
 """Vertices at one place joined, and faces left out that bound nothing.
 
 Places are the same where all coordinates are equal as numbers, whichever bits they have: 0 and -0
-are. Copies of a face have the same sides in any order and direction. Both are found by hashing
+are. Copies of a face have the same sides in any order. Both are found by hashing
 rows to 64 bits (the mixing of splitmix64; Steele, Lea and Flood, Fast Splittable Pseudorandom
 Number Generators, 2014), which is many times faster than sorting the rows themselves.
 """
@@ -48,12 +48,13 @@ def cleaned(mesh: PolygonMesh) -> tuple[Kept, dict[str, int]]:
     """
     welded = first_at_place(mesh.vertices)[mesh.corners]
     kept, repeated, degenerate = _with_three_corners(mesh, welded)
-    single = _first_of_copies(kept.mesh)
-    return kept.taken(single), {
+    copy, back = _copies(kept.mesh)
+    return kept.taken(~(copy | back)), {
         "joined": _distinct(mesh.corners) - _distinct(welded),
         "repeated": repeated,
         "degenerate": degenerate,
-        "copies": int(np.count_nonzero(~single)),
+        "copies": int(np.count_nonzero(copy)),
+        "backs": int(np.count_nonzero(back)),
     }
 
 
@@ -114,21 +115,32 @@ def _different(mesh: PolygonMesh, welded: Indices, faces: Indices) -> Indices:
     return counts[faces]
 
 
-def _first_of_copies(mesh: PolygonMesh) -> Flags:
-    """(f,) true for faces that have not the same sides as one before.
+def _copies(mesh: PolygonMesh) -> tuple[Flags, Flags]:
+    """(f,) true for faces with the sides of one before, and for backs of a double-sided mesh.
 
-    The sides of a polygon, in any order, determine it up to its direction.
+    The sides of a polygon, in any order, determine it: with their directions the face, without
+    them the face or its back.
     """
     tails = mesh.corners.astype(np.uint64)
     heads = tails[mesh.following]
-    sides = np.minimum(tails, heads) << np.uint64(32) | np.maximum(tails, heads)
+    below, above = np.minimum(tails, heads), np.maximum(tails, heads)
+    copy = ~_first_of_rows(mesh, tails, heads)
+    back = ~_first_of_rows(mesh, below, above) & ~copy
+    # A few faces back to back bound something flat; only where most are, that is all they do.
+    if 4 * np.count_nonzero(back) < np.count_nonzero(~copy):
+        back[:] = False
+    return copy, back
+
+
+def _first_of_rows(mesh: PolygonMesh, tails: Hashes, heads: Hashes) -> Flags:
+    """(f,) true for faces of which none before has the same sides from `tails` to `heads`."""
+    if not mesh.face_count:
+        return np.zeros(0, dtype=np.bool_)
     # Two sums of different hashes: 128 bits agree by chance for no two faces of any file.
-    mixed = _mixed(sides)
-    sums = np.zeros((mesh.face_count, 2), dtype=np.uint64)
-    if mesh.face_count:
-        sums = np.add.reduceat(np.stack([mixed, _mixed(mixed)], axis=1), mesh.starts[:-1])
-    first = _lowest_of_equals(np.ascontiguousarray(sums[:, 0]))
-    single: Flags = (first == np.arange(mesh.face_count)) | (sums[:, 1] != sums[first, 1])
+    mixed = _mixed(tails << np.uint64(32) | heads)
+    sums = [np.add.reduceat(hashes, mesh.starts[:-1]) for hashes in (mixed, _mixed(mixed))]
+    first = _lowest_of_equals(sums[0])
+    single: Flags = (first == np.arange(mesh.face_count)) | (sums[1] != sums[1][first])
     return single
 
 

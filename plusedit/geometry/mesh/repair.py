@@ -54,6 +54,8 @@ class Repairs:
     """faces with fewer than three different corners"""
     copies: int = 0
     """faces with the same sides as one before"""
+    backs: int = 0
+    """faces that were the backs of others, where most had one"""
     one_sided: int = 0
     """parts like a Moebius strip, beside others"""
     flat: int = 0
@@ -92,6 +94,10 @@ SENTENCES = {
     "copies": (
         "1 copy of a face was left out",
         "{} copies of faces were left out",
+    ),
+    "backs": (
+        "1 face that was only the back of another was left out",
+        "{} faces that were only the backs of others were left out",
     ),
     "one_sided": (
         "1 part is one-sided like a Moebius strip and was left out",
