@@ -52,6 +52,16 @@ def surface_size(surface: PlusSurface) -> float:
     return float(np.linalg.norm(np.ptp(points, axis=0)))
 
 
+@dataclass(frozen=True, eq=False)
+class Tessellation:
+    """Grids for flat triangles, and how far these may lie from the surface."""
+
+    by_u: Grid
+    by_v: Grid
+    tolerance: float
+    """as asked for, or larger where that would have taken too many points"""
+
+
 def surface_tessellation(
     surface: PlusSurface, tolerance: float, most: int = 1_000_000
 ) -> tuple[Grid, Grid]:
@@ -64,28 +74,35 @@ def surface_tessellation(
 
     Raises ValueError if the tolerance is not positive.
     """
+    made = affordable_tessellation(surface, tolerance, most)
+    return made.by_u, made.by_v
+
+
+def affordable_tessellation(
+    surface: PlusSurface, tolerance: float, most: int = 1_000_000
+) -> Tessellation:
+    """The same, and to what tolerance."""
     if not tolerance > 0.0:
         raise ValueError(f"tolerance: must be positive, got {tolerance}")
     scale = _scale(surface)
     surface = _scaled(surface, 1.0 / scale)
-    allowed = SAFE * tolerance / scale
+    asked = allowed = SAFE * tolerance / scale
     u, v = _start(surface, most)
     unsettled = np.ones((len(u) - 1, len(v) - 1), dtype=np.bool_)
     for _ in range(ROUNDS):
         strays = _strays(surface, u, v, unsettled)
-        allowed = max(allowed, strays.rounding)
+        asked = allowed = max(allowed, strays.rounding)
         by_u, by_v = strays.parts(allowed, _narrow(u), _narrow(v))
-        asked = allowed
-        while by_u.sum() + by_v.sum() > sum(unsettled.shape) and _count(by_u, by_v) > most:
+        while _are_more(by_u, by_v) and _count(by_u, by_v) > most:
             allowed *= COARSER
             by_u, by_v = strays.parts(allowed, _narrow(u), _narrow(v))
-        if by_u.sum() + by_v.sum() == sum(unsettled.shape):
+        if not _are_more(by_u, by_v):
             break
         u, v = _cut(u, by_u), _cut(v, by_v)
         if allowed > asked:
             break
         unsettled = (strays.most > allowed).repeat(by_u, axis=0).repeat(by_v, axis=1)
-    return Grid(u), Grid(v)
+    return Tessellation(Grid(u), Grid(v), tolerance * (allowed / asked))
 
 
 def _scale(surface: PlusSurface) -> float:
@@ -206,6 +223,11 @@ def _narrow(u: Floats) -> NDArray[np.bool_]:
     """(m,) which intervals hold hardly any numbers between their ends."""
     narrow: NDArray[np.bool_] = np.diff(u) <= 2.0 * PARTS * np.spacing(u[1:])
     return narrow
+
+
+def _are_more(by_u: Split, by_v: Split) -> bool:
+    """Whether any interval is cut."""
+    return bool((by_u > 1).any() or (by_v > 1).any())
 
 
 def _count(by_u: Split, by_v: Split) -> int:

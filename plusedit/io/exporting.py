@@ -18,7 +18,7 @@ from plusedit.geometry.arrays import Floats
 from plusedit.geometry.blend import Grid
 from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.surface import PlusSurface
-from plusedit.geometry.surface_tessellate import surface_tessellation
+from plusedit.geometry.surface_tessellate import affordable_tessellation
 from plusedit.geometry.tessellate import tessellation
 from plusedit.io.exports import Export, exports
 from plusedit.io.fields import of_number, within
@@ -29,7 +29,6 @@ from plusedit.io.surface_mesh import Strand, SurfaceMesh, meshed
 
 SEEN = Grid.uniform(33)  # where the size of a design is measured
 MOST = 1_000_000  # points of one surface
-NEARLY = 0.9  # of the most: as many are only made where more were wanted
 
 
 @dataclass(frozen=True)
@@ -110,23 +109,25 @@ def export_design(
     with replacing(path) as stream:
         chosen, left_out = _chosen(design, shapes, entry)
         length = tolerance.length(_size(chosen))
-        strands, meshes = [], []
+        strands, meshes, coarse = [], [], []
         for shape in chosen:
             with within(f"shape {shown(shape.name)}"):
                 if shape.curve is not None:
                     strands.append(_strand(shape, shape.curve, length))
                 elif shape.surface is not None:
-                    meshes.append(_mesh(shape, shape.surface, length, entry))
+                    made = affordable_tessellation(shape.surface, length, MOST)
+                    meshes.append(_mesh(shape, shape.surface, made.by_u, made.by_v, entry))
+                    if made.tolerance > length:
+                        coarse.append(_coarse(shape.name))
         entry.write(stream, meshes, strands)
     points = sum(len(strand.points) for strand in strands) + sum(map(len, meshes))
     faces = sum(sum(m.face_counts) if entry.has_quads else m.triangle_count for m in meshes)
-    coarse = tuple(map(_coarse, (mesh for mesh in meshes if len(mesh) > NEARLY * MOST)))
-    told = left_out + coarse
+    told = (*left_out, *coarse)
     return Report(len(meshes), len(strands), points, faces, length, told, bool(coarse))
 
 
-def _coarse(mesh: SurfaceMesh) -> str:
-    return f"{shown(mesh.name)} may be coarser than asked: no more than {MOST} points are made"
+def _coarse(name: str) -> str:
+    return f"{shown(name)} is coarser than asked: no more than {MOST} points are made"
 
 
 def _chosen(
@@ -174,8 +175,7 @@ def _size(shapes: list[Shape]) -> float:
     return size
 
 
-def _mesh(shape: Shape, surface: PlusSurface, tolerance: float, entry: Export) -> SurfaceMesh:
-    by_u, by_v = surface_tessellation(surface, tolerance, MOST)
+def _mesh(shape: Shape, surface: PlusSurface, by_u: Grid, by_v: Grid, entry: Export) -> SurfaceMesh:
     mesh = meshed(
         surface,
         by_u.parameters,

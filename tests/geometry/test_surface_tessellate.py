@@ -10,7 +10,11 @@ from plusedit.geometry.bases import is_local
 from plusedit.geometry.making.primitives import exact_sphere, sheet, sphere, torus, tube
 from plusedit.geometry.planes import ControlPlanes
 from plusedit.geometry.surface import PlusSurface
-from plusedit.geometry.surface_tessellate import surface_size, surface_tessellation
+from plusedit.geometry.surface_tessellate import (
+    affordable_tessellation,
+    surface_size,
+    surface_tessellation,
+)
 from plusedit.geometry.surface_transforms import transposed
 from tests.geometry.surfaces import PAIRS, a_surface, random_surface
 from tests.geometry.triangles import from_triangles
@@ -146,6 +150,15 @@ def test_what_is_allowed_is_used_where_it_counts():
     surface = random_surface(s=1.0)
     found = [strays(surface, surface_tessellation(surface, 1e-9, most)) for most in (300, 6000)]
     assert found[1] < found[0] / 8.0
+
+
+@pytest.mark.parametrize("most", [300, 6000])
+def test_the_tolerance_that_is_told_is_about_the_one_kept(most):
+    surface = random_surface(s=1.0)
+    made = affordable_tessellation(surface, 1e-9, most)
+    farthest = strays(surface, (made.by_u, made.by_v))
+    assert made.tolerance / 4.0 < farthest < 1.5 * made.tolerance
+    assert affordable_tessellation(surface, 0.05, 100_000).tolerance == 0.05
 
 
 def test_a_tolerance_below_rounding_ends_soon():

@@ -134,7 +134,7 @@ def test_more_points_than_are_made_leave_a_note(tmp_path, monkeypatch):
     )
     assert fine.points <= 2000
     assert "within" not in str(fine)
-    assert fine.left_out == ('"Sail" may be coarser than asked: no more than 2000 points are made',)
+    assert fine.left_out == ('"Sail" is coarser than asked: no more than 2000 points are made',)
     assert coarse.left_out == ()
 
 
