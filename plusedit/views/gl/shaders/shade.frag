@@ -37,7 +37,7 @@ vec3 lit(vec3 albedo, vec3 n, vec3 v) {
 vec3 lit(vec3 albedo, vec3 n, vec3 v) {
     float key = max(0.0, 0.8 * dot(n, KEY) + 0.2);
     float fill = max(0.0, dot(n, FILL));
-    vec3 light = mix(vec3(0.12, 0.115, 0.11), vec3(0.25, 0.265, 0.29), 0.5 + 0.5 * dot(n, up));
+    vec3 light = mix(vec3(0.16, 0.155, 0.15), vec3(0.29, 0.305, 0.33), 0.5 + 0.5 * dot(n, up));
     light += key * key * vec3(0.78, 0.765, 0.735) + fill * vec3(0.10, 0.11, 0.13);
     float gloss = max(0.0, 2.0 * dot(n, v) * dot(n, KEY) - dot(v, KEY));
     gloss *= gloss;
