@@ -91,9 +91,10 @@ class SpaceArtist:
         styles = ("MATCAP",) if look.shading == "matcap" else ()
         sight = Sight.of(camera, self._boxes(solids), palette, styles, ratio, crop)
         with self._state(palette, look):
-            self._draw_solids([item for item in solids if _is_opaque(item, palette)], sight)
+            # First of all: its lines would cross whatever reaches below the ground.
             if ground is not None:
                 self._draw_ground(ground, sight)
+            self._draw_solids([item for item in solids if _is_opaque(item, palette)], sight)
             self._draw_lines(sight)
             self._draw_veils([item for item in solids if not _is_opaque(item, palette)], sight)
             self._draw_handles(sight)
