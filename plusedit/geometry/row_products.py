@@ -120,9 +120,10 @@ class Taps:
             _by_blas(self.matrix[rows], net, out)
         return out
 
-    def across(self, net: Singles) -> Singles:
+    def across(self, net: Singles, out: Singles | None = None) -> Singles:
         """(w / 3, 3 m) the product with a net (n, w), triples of numbers turned round."""
-        out = np.empty((net.shape[1] // 3, 3 * len(self)), dtype=np.float32)
+        if out is None:
+            out = np.empty((net.shape[1] // 3, 3 * len(self)), dtype=np.float32)
         if _kernels is not None and self.is_sparse:
             _kernels.across(self.columns, self.entries, net, out)
         else:
@@ -132,9 +133,10 @@ class Taps:
         return out
 
 
-def turned(net: Floats, middle: Floats, factor: float = 1.0) -> Singles:
+def turned(net: Floats, middle: Floats, factor: float = 1.0, out: Singles | None = None) -> Singles:
     """(n_v, 3 n_u) factor (net - middle) of a net (n_u, n_v, 3); cut where it is too large."""
-    out = np.empty((net.shape[1], 3 * net.shape[0]), dtype=np.float32)
+    if out is None:
+        out = np.empty((net.shape[1], 3 * net.shape[0]), dtype=np.float32)
     if _kernels is not None:
         _kernels.turned(net, middle, factor, LARGEST, out)
     else:

@@ -146,7 +146,7 @@ def surface_points(surface: PlusSurface, grid_u: Grid, grid_v: Grid) -> Singles:
         return single(surface.sample(grid_u, grid_v))
     by_u, by_v = basis_taps(surface.basis_u, grid_u), basis_taps(surface.basis_v, grid_v)
     nets = Nets.of(surface.bases, surface.planes, s=surface.s)
-    found = by_u.both.along(nets.lines(by_v))
+    found = by_u.both.along(nets.lines_by_u(by_v))
     if nets.weights is not None:
         found /= by_u.values.along(by_v.values.across(nets.weights))
     return found.reshape(len(grid_u), len(grid_v), 3)
@@ -183,7 +183,7 @@ def _tangents(
     scale = 1.0 / max(extent(planes), pull, SMALLEST)
     nets = Nets.of(bases, planes, s=surface.s, middle=planes.points[0, 0], factor=scale)
     (u, u_slope), (v, v_slope) = _both_taps(bases, beside)
-    lines, slopes = nets.lines(v), nets.lines(v_slope)
+    lines, slopes = nets.lines_by_u(v), nets.lines_by_u(v_slope)
     for start in range(0, len(grid_u), height):
         rows = slice(start, start + height)
         by_u, by_v = u_slope.both.along(lines, rows), u.both.along(slopes, rows)

@@ -79,9 +79,9 @@ class Terms:
 class Nets:
     """Control planes, times their weights, (n_v, 3 n_u) each."""
 
-    points: Singles
+    lines: Singles
+    """(2 n_v, 3 n_u) first the points, then the directions by v"""
     along_u: Singles
-    along_v: Singles
     weights: Singles | None
     """each three times; None where all are one"""
 
@@ -109,25 +109,46 @@ class Nets:
             points, middle = shares * (points - middle), ORIGIN
             along_u, along_v = shares * along_u, shares * along_v
             weights = turned(np.repeat(shares, 3, axis=2), ORIGIN)
-        by_u, by_v = (turned(way, ORIGIN, factor * s) for way in (along_u, along_v))
-        return cls(turned(points, middle, factor), by_u, by_v, weights)
+        count_u, count_v, _ = points.shape
+        lines = np.empty((2 * count_v, 3 * count_u), dtype=np.float32)
+        turned(points, middle, factor, out=lines[:count_v])
+        turned(along_v, ORIGIN, factor * s, out=lines[count_v:])
+        return cls(lines, turned(along_u, ORIGIN, factor * s), weights)
+
+    @property
+    def points(self) -> Singles:
+        """(n_v, 3 n_u)"""
+        return self.lines[: len(self.along_u)]
+
+    @property
+    def along_v(self) -> Singles:
+        """(n_v, 3 n_u)"""
+        return self.lines[len(self.along_u) :]
 
     def terms(self, by_u: BasisTaps, by_v: BasisTaps) -> Terms:
         """What multiplies 1 and s."""
         base = by_u.values.along(by_v.values.across(self.points))
-        pulls = (by_v.reaches.across(self.along_v), by_v.values.across(self.along_u))
-        plus = by_u.both.along(np.concatenate(pulls))
+        pulls = self._empty_lines(by_v)
+        by_v.reaches.across(self.along_v, out=pulls[: len(pulls) // 2])
+        by_v.values.across(self.along_u, out=pulls[len(pulls) // 2 :])
+        plus = by_u.both.along(pulls)
         if self.weights is None:
             return Terms(base, plus, None)
         return Terms(base, plus, by_u.values.along(by_v.values.across(self.weights)))
 
-    def lines(self, by_v: BasisTaps) -> Singles:
+    def lines_by_u(self, by_v: BasisTaps) -> Singles:
         """(2 n_u, 3 m_v) points, then directions, of the lines by u at the samples by v.
 
         Those times B and D are the numerator.
         """
-        points = by_v.both.across(np.concatenate([self.points, self.along_v]))
-        return np.concatenate([points, by_v.values.across(self.along_u)])
+        lines = self._empty_lines(by_v)
+        by_v.both.across(self.lines, out=lines[: len(lines) // 2])
+        by_v.values.across(self.along_u, out=lines[len(lines) // 2 :])
+        return lines
+
+    def _empty_lines(self, by_v: BasisTaps) -> Singles:
+        rows = self.along_u.shape[1] // 3
+        return np.empty((2 * rows, 3 * len(by_v.values)), dtype=np.float32)
 
 
 def is_even(planes: ControlPlanes) -> bool:

@@ -107,8 +107,12 @@ def by_geomdl(case: Case) -> Work:
 BY_PEER = {"scipy": by_scipy, "splipy": by_splipy, "geomdl": by_geomdl}
 
 
-def medians(works: dict[str, Work]) -> dict[str, float]:
-    """Seconds one call takes; the works take turns, the slow ones not in every round."""
+def medians(works: dict[str, Work], *, warm: bool = False) -> dict[str, float]:
+    """Seconds one call takes; the works take turns, the slow ones not in every round.
+
+    With `warm` each is done once more before it is timed, as from one frame to the next: what it
+    needs lies in the cache, and its memory need not be fetched from the system again.
+    """
     batches: dict[str, int] = {}
     once: dict[str, float] = {}
     for name, work in works.items():
@@ -119,6 +123,8 @@ def medians(works: dict[str, Work]) -> dict[str, float]:
         for name, work in works.items():
             share = max(1, int(ROUNDS * once[name] * batches[name] / PATIENCE))
             if turn % share == 0:
+                if warm:
+                    work()
                 runs[name].append(seconds(work, batches[name]))
     return {name: float(np.median(row)) for name, row in runs.items()}
 
