@@ -8,6 +8,7 @@ of rows and columns, the most that any cell asks for is what a whole row or colu
 """
 
 from dataclasses import dataclass, replace
+from math import ceil, sqrt
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +22,7 @@ ROUNDS = 60  # a jump between two neighboring doubles is found in 52 halvings
 PARTS = 8  # at most, of one interval in one round
 COARSER = 1.25  # factor by which the tolerance is raised while too many points are asked for
 SAFE = 0.8  # of the tolerance: between samples, and in bent cells, the surface strays farther
+ENOUGH = 40_000  # cells that tell how far all of them stray
 BLOCK = 1 << 18  # points that are worked on at once
 START = 4.0  # a first grid of more than this share of what is allowed is made of knots alone
 SEEN = Grid.uniform(33)  # where the size of a surface is measured
@@ -59,7 +61,7 @@ class Tessellation:
     by_u: Grid
     by_v: Grid
     tolerance: float
-    """as asked for, or larger where that would have taken too many points"""
+    """as asked for, or about what is kept where that would have taken too many points"""
 
 
 def surface_tessellation(
@@ -86,7 +88,7 @@ def affordable_tessellation(
         raise ValueError(f"tolerance: must be positive, got {tolerance}")
     scale = _scale(surface)
     surface = _scaled(surface, 1.0 / scale)
-    asked = allowed = SAFE * tolerance / scale
+    allowed = SAFE * tolerance / scale
     u, v = _start(surface, most)
     unsettled = np.ones((len(u) - 1, len(v) - 1), dtype=np.bool_)
     for _ in range(ROUNDS):
@@ -96,13 +98,23 @@ def affordable_tessellation(
         while _are_more(by_u, by_v) and _count(by_u, by_v) > most:
             allowed *= COARSER
             by_u, by_v = strays.parts(allowed, _narrow(u), _narrow(v))
+        u, v = _cut(u, by_u), _cut(v, by_v)
+        unsettled = (strays.most > asked).repeat(by_u, axis=0).repeat(by_v, axis=1)
+        if allowed > asked:
+            some = unsettled & _spread(unsettled.shape)
+            kept = scale * float(_strays(surface, u, v, some).most.max()) / SAFE
+            return Tessellation(Grid(u), Grid(v), max(tolerance, kept))
         if not _are_more(by_u, by_v):
             break
-        u, v = _cut(u, by_u), _cut(v, by_v)
-        if allowed > asked:
-            break
-        unsettled = (strays.most > allowed).repeat(by_u, axis=0).repeat(by_v, axis=1)
-    return Tessellation(Grid(u), Grid(v), tolerance * (allowed / asked))
+    return Tessellation(Grid(u), Grid(v), tolerance)
+
+
+def _spread(shape: tuple[int, int]) -> NDArray[np.bool_]:
+    """Some cells of all: every so many rows and columns."""
+    step = ceil(sqrt(shape[0] * shape[1] / ENOUGH))
+    some = np.zeros(shape, dtype=np.bool_)
+    some[::step, ::step] = True
+    return some
 
 
 def _scale(surface: PlusSurface) -> float:
