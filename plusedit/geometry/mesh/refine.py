@@ -26,6 +26,8 @@ Indices = NDArray[np.intp]
 
 LARGE = 4.0  # radii of a face to the median of them
 THIN = 0.08  # 4 pi area / perimeter^2, 1 for a circle: less is 20 times as long as wide
+SLIM = 0.2  # the same; less is 7 times as long as wide, which does no harm to a few faces
+SHARE = 0.05  # of the area: as many slim faces are more than a few
 EDGE = 1.5  # of an even triangle to the root of its area
 LONGEST = 1.4  # of the edge wanted: halves are then within a factor 1.4 of it both ways
 FEWEST = 4000  # faces wanted where the mesh has fewer
@@ -87,6 +89,9 @@ class Refined:
 def needs_refining(mesh: PolygonMesh) -> Uneven:
     """The faces much larger than most, and those that are thin and longer than most.
 
+    Thin are slivers and, where a good part of the area consists of them, faces 7 times as long as
+    wide.
+
     The radius of a face is the distance of its farthest corner from the mean of its corners.
     """
     if not mesh.face_count:
@@ -99,10 +104,10 @@ def needs_refining(mesh: PolygonMesh) -> Uneven:
     round_area = mesh.sums(sides) ** 2 / (4.0 * np.pi)
     longest = np.maximum.reduceat(sides, mesh.starts[:-1])
     long = longest > 2.0 * edge_wanted(mesh, mesh.face_count)
-    return Uneven(
-        fixed(radii > LARGE * float(np.median(radii))),
-        fixed(long & (mesh.areas < THIN * round_area)),
-    )
+    thin, slim = (long & (mesh.areas < least * round_area) for least in (THIN, SLIM))
+    if mesh.areas[slim].sum() > SHARE * mesh.areas.sum():
+        thin = slim
+    return Uneven(fixed(radii > LARGE * float(np.median(radii))), fixed(thin))
 
 
 def edge_wanted(mesh: PolygonMesh, faces: int) -> float:
@@ -170,4 +175,4 @@ def _put_together(mesh: PolygonMesh, bisection: Bisection, remarks: tuple[str, s
 def _notes(mesh: PolygonMesh, split: PolygonMesh, remarks: tuple[str, str]) -> tuple[str, ...]:
     why, stopped = remarks
     told = f"{mesh.face_count} faces were split into {split.face_count}"
-    return tuple(filter(None, [f"{told}: there were {why}" if why else told, stopped]))
+    return tuple(filter(None, [f"{told} because of {why}" if why else told, stopped]))
