@@ -39,11 +39,13 @@ class Editing(Wayfinding[C]):
         self._frame_at_first = True
         self._is_moving = False
         """whether the view is on its way elsewhere, and drawing all takes long"""
+        self._is_resting = True
+        """whether neither the view nor the design has changed for a moment"""
         self._rest = QTimer(self, singleShot=True, interval=RESTS_AFTER)
         self._rest.timeout.connect(self._at_rest)
         self.setMinimumSize(160, 120)
         deaf = [
-            self._session.changed.listen(lambda old, new: self.update()),
+            self._session.changed.listen(lambda old, new: self._edited()),
             self._session.selected.listen(lambda old, new: self.update()),
             self._gestures.feedback.listen(self._told),
             self._gestures.panned.listen(self.pan),
@@ -125,10 +127,15 @@ class Editing(Wayfinding[C]):
 
     def _at_rest(self) -> None:
         """There is time to draw all as well as can be, and to look what is under the pointer."""
-        self._is_moving = False
+        self._is_moving, self._is_resting = False, True
         self.update()
         if self._pointer is not None and not self._gestures.is_busy and not self.is_panned:
             self._gestures.move(self._pointer)
+
+    def _edited(self) -> None:
+        self._is_resting = False
+        self._rest.start()
+        self.update()
 
     def _told(self, feedback: Feedback) -> None:
         self._feedback = feedback
@@ -138,7 +145,7 @@ class Editing(Wayfinding[C]):
     def _camera_moved(self) -> None:
         self._gestures.camera = self.camera
         self._gestures.grid_step = self.grid_step
-        self._is_moving = self._is_slow
+        self._is_moving, self._is_resting = self._is_slow, False
         self._rest.start()
         super()._camera_moved()
 
