@@ -28,7 +28,7 @@ Numbers = NDArray[np.int32]
 
 Kind = TypeVar("Kind", bound=np.generic)
 
-MOST = int(np.iinfo(np.int32).max)
+MOST = int(np.iinfo(np.int32).max)  # corners that can be numbered
 
 
 class Triangles(NamedTuple):
