@@ -147,9 +147,10 @@ class Pen:
         selection, design = stage.selection, stage.design
         if len(selection.lines) == 1 and len(selection.shapes) == 1:
             (line,) = selection.lines
-            curve = design.curve(line.shape)
-            ends = (0, len(curve.lines) - 1)
-            if curve.closed or line.number not in ends or not design[line.shape].editable:
+            curve = design[line.shape].curve
+            if curve is None or curve.closed or not design[line.shape].editable:
+                return None
+            if line.number not in (0, len(curve.lines) - 1):
                 return None
             return Stroke(line.shape, line.number != 0)
         stroke = self._stroke
