@@ -165,9 +165,12 @@ def _opened(path: Path) -> Iterator[int]:
 
 
 def _read(descriptor: int) -> bytes:
-    # One more than may be: the file can grow while it is read.
+    # Room is made for as much as is asked for. One more than there is, and at last one more than
+    # may be: the file can grow while it is read.
     with os.fdopen(os.dup(descriptor), "rb") as file:
-        return file.read(LARGEST + 1)
+        size = os.fstat(descriptor).st_size
+        data = file.read(size + 1)
+        return data + file.read(LARGEST - size) if len(data) > size else data
 
 
 def _target(path: Path) -> Path:

@@ -112,8 +112,8 @@ def _take_uv(read: ReadMesh) -> None:
     if wrong:
         read.uv = None
         read.notes.append(
-            f"the texture coordinates of {of_number(wrong, 'corner')} are no finite numbers:"
-            " all texture coordinates were ignored"
+            "all texture coordinates were ignored:"
+            f" those of {of_number(wrong, 'corner')} are no finite numbers"
         )
 
 

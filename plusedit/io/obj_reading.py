@@ -143,7 +143,9 @@ class ObjReading:
             raise FormatError(f"{what}, but there are {vertices(int(before[corner]))} before it")
         before = self._uv_count + np.searchsorted(uv, lines)[owner]
         self._corners.append(vertex)
-        self._uv_corners.append(np.where(corners.uv < 0, corners.uv + before + 1, corners.uv))
+        # What counts back beyond the first is wrong, not missing.
+        counted = np.where(corners.uv < -before, -1, corners.uv + before + 1)
+        self._uv_corners.append(np.where(corners.uv < 0, counted, corners.uv))
         self._sizes.append(sizes)
         self._face_count += len(lines)
 

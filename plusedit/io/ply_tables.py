@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from plusedit.geometry.arrays import Floats
+from plusedit.io.fields import of_number
 from plusedit.io.formats import FormatError
 from plusedit.io.json_text import shown
 from plusedit.io.mesh_words import Places
@@ -179,7 +180,7 @@ def _walked(element: Element, body: Body, begin: int) -> Table:
     except (IndexError, OverflowError, struct.error):
         at = len(body.values) + 1
     if at > len(body.values):
-        raise _cut_off(element, len(counts) // len(steps))
+        raise _cut_off(element, max(0, len(counts) - 1) // len(steps))
     lengths = np.array(counts, dtype=np.int64).reshape(element.count, len(steps))
     if lengths.min(initial=0) < 0:
         _checked(int(lengths.min()), next(e for e in element.properties if e.count_kind))
@@ -200,6 +201,6 @@ def _whole(value: float) -> int:
 
 def _cut_off(element: Element, there: int) -> FormatError:
     return FormatError(
-        f"is cut off: promises {element.count} rows of {element.name},"
+        f"is cut off: promises {of_number(element.count, 'row')} of {element.name},"
         f" but ends after at most {there}"
     )

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from plusedit.io.formats import FormatError
-from plusedit.io.terrain import check_shape
+from plusedit.io.terrain import LARGEST_GRID
 
 SIGNATURE = b"\x89PNG\r\n\x1a\n"
 CHANNELS = {0: 1, 2: 3, 4: 2, 6: 4}
@@ -107,7 +107,8 @@ def _shape(header: bytes) -> _Shape:
     if interlaced:
         raise FormatError("is interlaced, which is not read; save it without")
     shape = _Shape(width, height, bits, CHANNELS[color], color >= 4)
-    check_shape(height, width)
+    if not width or not height or width * height > LARGEST_GRID:
+        raise FormatError(f"has {width} × {height} pixels; that can't be worked with")
     return shape
 
 

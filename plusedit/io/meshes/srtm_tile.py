@@ -14,6 +14,7 @@ from plusedit.io.terrain import Heights, check_shape, terrain
 
 PLACE = re.compile(r"(?i)([NS])(\d{1,2})[EW]\d{1,3}")
 VOID = -32768
+FEWEST = 100  # heights of a side; squares of few bytes are something else
 OF_RECTANGLES = {2 * 3601 * 1801: (3601, 1801)}  # beyond 50 degrees north
 
 
@@ -46,7 +47,7 @@ def _shape(size: int) -> tuple[int, int]:
     if size in OF_RECTANGLES:
         return OF_RECTANGLES[size]
     side = isqrt(size // 2)
-    if 2 * side * side != size or side < 2:
+    if 2 * side * side != size or side < FEWEST:
         raise FormatError(
             f"has {size} bytes, which make no square of heights; tiles have 1201 or 3601 a side"
         )
