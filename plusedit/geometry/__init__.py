@@ -27,6 +27,7 @@ A surface is a `PlusSurface`: a basis by u and one by v, `ControlPlanes` and s. 
     surface_tangency, _passing     tangent at the corners, through its control points
     surface_frames, surface_area   normals and curvatures, the area
     surface_nearest, _tessellate   the nearest point, where a ray meets it, grids fine enough
+    surface_kernels, row_products  points, normals and buffers in single precision, to be drawn
 """
 
 from plusedit.geometry.bases.bernstein import Bernstein
@@ -49,6 +50,7 @@ from plusedit.geometry.magnitude import best_s, polygon_length
 from plusedit.geometry.nearest import nearest_parameter, nearest_parameters, nearest_to_ray
 from plusedit.geometry.passing import passing_through
 from plusedit.geometry.planes import ControlPlanes
+from plusedit.geometry.row_products import load_kernels
 from plusedit.geometry.standard import (
     elliptic_arc,
     from_bezier,
@@ -60,11 +62,14 @@ from plusedit.geometry.surface import PlusSurface
 from plusedit.geometry.surface_area import area
 from plusedit.geometry.surface_elevation import StandardSurface, elevated_surface
 from plusedit.geometry.surface_frames import (
+    SurfaceFrame,
+    frame_at,
     gaussian_curvature,
     mean_curvature,
     principal_curvatures,
 )
 from plusedit.geometry.surface_insertion import insert_column, insert_row
+from plusedit.geometry.surface_kernels import points_and_normals, surface_points
 from plusedit.geometry.surface_magnitude import (
     balanced,
     best_surface_s,
@@ -101,6 +106,7 @@ __all__ = [
     "RayHit",
     "StandardCurve",
     "StandardSurface",
+    "SurfaceFrame",
     "arc_length",
     "area",
     "balanced",
@@ -116,6 +122,7 @@ __all__ = [
     "elevated_surface",
     "elliptic_arc",
     "fit_bspline_plus",
+    "frame_at",
     "from_bezier",
     "from_bezier_path",
     "from_rational_quadratic",
@@ -128,6 +135,7 @@ __all__ = [
     "insert_line",
     "insert_row",
     "iso_curve",
+    "load_kernels",
     "mean_curvature",
     "natural_length",
     "natural_lengths",
@@ -138,11 +146,13 @@ __all__ = [
     "parents",
     "passing_through",
     "passing_through_surface",
+    "points_and_normals",
     "polygon_length",
     "principal_curvatures",
     "reversed_curve",
     "reversed_surface",
     "span_hulls",
+    "surface_points",
     "surface_size",
     "surface_tessellation",
     "tangent_at_corners",
