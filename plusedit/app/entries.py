@@ -12,6 +12,8 @@ from PySide6.QtGui import QAction
 from plusedit.app.actions import Entry
 from plusedit.app.toolbar import tools_in_order
 from plusedit.interaction.actions import EditAction, edit_actions
+from plusedit.interaction.gesture import FIRST_TOOL
+from plusedit.interaction.making_actions import FROM_CURVES, NEW
 from plusedit.interaction.tool import tools
 from plusedit.scene.options import Handles, Shading, ShownPanes
 from plusedit.scene.overlays import in_order
@@ -40,8 +42,8 @@ SWITCHES = {
 }
 HANDLES: dict[Handles, str] = {
     "auto": "Automatic",
-    "selected": "Of selected curves",
-    "all": "Of all curves",
+    "selected": "Of selected shapes",
+    "all": "Of all shapes",
     "none": "None",
 }
 PANES: dict[ShownPanes, tuple[str, str]] = {
@@ -144,9 +146,17 @@ def design_entries(window: "MainWindow") -> Iterator[Entry]:
             action.menu,
             _performs(window, action),
             action.shortcuts,
-            2 if action.menu == "Edit" else 1 if "/" in action.menu else 0,
+            _group_of(action),
             ICONS.get(action.name, ""),
         )
+
+
+def _group_of(action: EditAction) -> int:
+    """In the menu: what makes surfaces comes before what changes them."""
+    if action.menu in (NEW, FROM_CURVES):
+        return 0
+    first = {"Surface": 1, "Edit": 2}.get(action.menu.split("/")[0], 0)
+    return first + ("/" in action.menu)
 
 
 def view_entries(window: "MainWindow") -> Iterator[Entry]:
@@ -223,10 +233,14 @@ def _begins(window: "MainWindow", drag: str) -> Callable[[], None]:
 
 
 def _performs(window: "MainWindow", action: EditAction) -> Callable[[], None]:
-    gestures = window.gestures
+    gestures, session = window.gestures, window.session
 
     def perform() -> None:
         window.magnitude.slider.finish()
+        before = session.committed
         gestures.perform_by(lambda: action.make(gestures.stage()))
+        # The next click is meant for what was made: the pen would begin a curve upon it.
+        if action.menu in (NEW, FROM_CURVES) and session.committed is not before:
+            window.choose_tool(FIRST_TOOL)
 
     return perform

@@ -25,8 +25,8 @@ class DesignView(Protocol):
         """The design with the view as it is now."""
         ...
 
-    def show_design(self, design: Design) -> None:
-        """Set the view up as the design says, or as usual."""
+    def show_design(self, design: Design, *, whole: bool = False) -> None:
+        """Set the view up as the design says, or as usual; `whole`: so that all of it is seen."""
         ...
 
 
@@ -85,7 +85,8 @@ class Files:
         self._desk.gestures.cancel()
         self.path = path
         self._desk.session.open(design, saved=saved)
-        self._view.show_design(design)
+        # Examples are made for a view of a usual shape, which this one may not have.
+        self._view.show_design(design, whole=path is not None and is_shipped(path))
         self.named.emit()
         self.shown.emit()
 

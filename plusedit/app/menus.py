@@ -46,8 +46,9 @@ def fill(bar: QMenuBar, table: ActionTable) -> dict[str, QMenu]:
         if not members:
             continue
         menus[top] = bar.addMenu(f"&{top}")
-        last_group = members[0].group
-        for entry in sorted(members, key=lambda each: each.group):
+        ordered = sorted(members, key=lambda each: each.group)
+        last_group = ordered[0].group
+        for entry in ordered:
             menu = _menu(menus, entry.menu)
             if entry.group != last_group:
                 menus[top].addSeparator()

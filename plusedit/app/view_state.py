@@ -168,14 +168,17 @@ class ViewState:
         )
         return replace(design, view=tree)
 
-    def show_design(self, design: Design) -> None:
-        """Set the view up as the design says; as the person likes it where it says nothing."""
+    def show_design(self, design: Design, *, whole: bool = False) -> None:
+        """Set the view up as the design says; as the person likes it where it says nothing.
+
+        `whole`: from the side that it says, see all of it, whatever the size of the view.
+        """
         self._panes.set_options(options_of(design.view) if design.view else self._own())
         said = panes_of(design.view)
         self._is_chosen = said is not None
         self._panes.show_panes(said or ("both" if design.is_spatial else "2d"))
         self._show_plane(design)
-        self._panes.set_space_camera(space_camera_of(design.view, (800.0, 600.0)))
+        self._panes.set_space_camera(space_camera_of(design.view, (800.0, 600.0)), whole=whole)
         self.changed.emit()
 
     def _show_plane(self, design: Design) -> None:

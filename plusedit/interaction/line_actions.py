@@ -36,8 +36,8 @@ NUDGES = (
     ("right", "right", "Right", 0, 1.0),
     ("up", "up", "Up", 1, 1.0),
     ("down", "down", "Down", 1, -1.0),
-    ("nearer", "nearer, in space up z", "PgUp", 2, 1.0),
-    ("farther", "farther, in space down z", "PgDown", 2, -1.0),
+    ("nearer", "nearer, up in space", "PgUp", 2, 1.0),
+    ("farther", "farther, down in space", "PgDown", 2, -1.0),
 )
 """name, words, key, direction in the view (to the right, upwards, out of it) and sign"""
 

@@ -138,18 +138,27 @@ class Panes(QSplitter):
         """What the 3D view sees; None before it was ever shown."""
         return None if self.space is None else self.space.camera
 
-    def set_space_camera(self, camera: SpaceCamera | None) -> None:
-        """See that in the 3D view, now or when it is first shown; None: all of the design."""
-        self._camera_at_first = camera
+    def set_space_camera(self, camera: SpaceCamera | None, *, whole: bool = False) -> None:
+        """See that in the 3D view, now or when it is first shown; None: all of the design.
+
+        `whole`: look the way of that camera, but at all of the design.
+        """
+        self._camera_at_first, self._whole_at_first = camera, whole
         if self.space is not None:
             if camera is None:
                 # From the usual side, whatever the design before was seen from.
                 self.space.set_camera(SpaceCamera(self.space.camera.size))
                 self.space.frame_at_next_paint()
             else:
-                self.space.set_camera(replace(camera, size=self.space.camera.size))
+                self._look_by(self.space, camera)
 
     _camera_at_first: SpaceCamera | None = None
+    _whole_at_first = False
+
+    def _look_by(self, space: "SpaceCanvas", camera: SpaceCamera) -> None:
+        space.set_camera(replace(camera, size=space.camera.size))
+        if self._whole_at_first:
+            space.frame_at_next_paint()
 
     def _make_space(self) -> None:
         """Make the 3D view, or a pane that says why there is none."""
@@ -173,7 +182,7 @@ class Panes(QSplitter):
         self.space.set_options(self._options)
         self.space.set_theme(self._theme)
         if self._camera_at_first is not None:
-            self.space.set_camera(replace(self._camera_at_first, size=self.space.camera.size))
+            self._look_by(self.space, self._camera_at_first)
         self._take_in(self.space)
         self.space.pointer_moved.connect(self._moved_in_space)
 

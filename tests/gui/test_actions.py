@@ -184,5 +184,5 @@ def test_the_palette_leaves_out_what_fits_by_chance(table, window):
     palette.look_for("clos")
     titles = [palette.list.item(row).text() for row in range(palette.list.count())]
     assert titles[0].startswith("Close")
-    assert "Control lines: Of selected curves" in titles, "its words begin with these letters"
+    assert "Control lines: Of selected shapes" in titles, "its words begin with these letters"
     assert "Family: Rational Gaussian" not in titles

@@ -1,0 +1,32 @@
+"""The menus: their groups, and what entries do besides their edit."""
+
+from itertools import pairwise
+
+import pytest
+
+pytestmark = pytest.mark.gui
+
+
+def test_no_menu_begins_or_ends_with_a_line_or_has_two_in_a_row(window):
+    for top in window.menuBar().actions():
+        lines = [action.isSeparator() for action in top.menu().actions()]
+        assert not lines[0] and not lines[-1], top.text()
+        assert not any(a and b for a, b in pairwise(lines)), top.text()
+
+
+def test_what_makes_surfaces_comes_first_in_their_menu(window):
+    (menu,) = (a.menu() for a in window.menuBar().actions() if a.text() == "&Surface")
+    assert [action.text() for action in menu.actions()[:2]] == ["New", "From curves"]
+
+
+def test_a_new_surface_puts_the_pen_down(window):
+    window.choose_tool("pen")
+    window.actions_table["edit.new_sheet"].trigger()
+    assert window.gestures.tool_name == "select"
+    assert len(window.session.design) == 1
+
+
+def test_the_pen_stays_in_hand_where_no_surface_was_made(window):
+    window.choose_tool("pen")
+    window.actions_table["edit.loft"].trigger()
+    assert window.gestures.tool_name == "pen"
