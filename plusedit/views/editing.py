@@ -7,7 +7,7 @@ what comes back is drawn.
 from collections.abc import Callable, Collection
 
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt, QTimer, Signal
-from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QKeyEvent, QMouseEvent
+from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QKeyEvent, QMouseEvent, QWheelEvent
 
 from plusedit.document.session import Session
 from plusedit.document.shape import ShapeId
@@ -17,7 +17,7 @@ from plusedit.scene.options import ViewOptions
 from plusedit.scene.theme import LIGHT, Theme
 from plusedit.views.navigation import C
 from plusedit.views.pointer import held_after, key_of, pointer_of
-from plusedit.views.wayfinding import Wayfinding
+from plusedit.views.wayfinding import NOTCH, Wayfinding
 
 MARGIN = 48.0  # pixels around what is framed
 RESTS_AFTER = 120  # milliseconds without an edit or a move of the view
@@ -192,6 +192,13 @@ class Editing(Wayfinding[C]):
             self._gestures.double_click(at)
         else:
             self.mousePressEvent(event)
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        turned = event.angleDelta()
+        if self._gestures.wheel((turned.y() or turned.x()) / NOTCH):
+            event.accept()
+        else:
+            super().wheelEvent(event)
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         # That of the mouse was asked for by the press, which may have ended a drag instead.
