@@ -45,6 +45,9 @@ class Parser(argparse.ArgumentParser):
 def main(argv: list[str] | None = None) -> int:
     """Run a command line, without the program's name; the exit code."""
     words = sys.argv[1:] if argv is None else argv
+    # Read by numpy when it is first imported. Our products are small: waking threads for one can
+    # take fifty times as long as the product, and a drag makes several for every frame.
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     _open_closed_streams()
     try:
         try:
