@@ -3,6 +3,9 @@
 from itertools import pairwise
 
 import pytest
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QApplication
 
 pytestmark = pytest.mark.gui
 
@@ -30,3 +33,29 @@ def test_the_pen_stays_in_hand_where_no_surface_was_made(window):
     window.choose_tool("pen")
     window.actions_table["edit.loft"].trigger()
     assert window.gestures.tool_name == "pen"
+
+
+@pytest.mark.parametrize(
+    ("key", "side"),
+    [(Qt.Key.Key_7, "top"), (Qt.Key.Key_1, "front"), (Qt.Key.Key_3, "right")],
+)
+def test_the_number_pad_turns_the_view_where_the_desktop_takes_its_keys_for_digits(
+    window, key, side
+):
+    window.view.set_projection("front" if side != "front" else "top")
+    window.panes.focus()
+    pad = Qt.KeyboardModifier.KeypadModifier
+    for kind in (QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress):
+        event = QKeyEvent(kind, key, pad, chr(key))
+        event.ignore()
+        QApplication.sendEvent(window.canvas, event)
+        assert event.isAccepted()
+    assert window.view.projection == side
+
+
+def test_ctrl_and_a_digit_of_the_number_pad_do_not_choose_panes(window):
+    held = Qt.KeyboardModifier.KeypadModifier | Qt.KeyboardModifier.ControlModifier
+    event = QKeyEvent(QEvent.Type.ShortcutOverride, Qt.Key.Key_1, held)
+    event.ignore()
+    QApplication.sendEvent(window.panes, event)
+    assert event.isAccepted(), "else Qt would look for Ctrl+1"
