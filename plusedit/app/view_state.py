@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from dataclasses import replace
 
+import numpy as np
 from PySide6.QtWidgets import QApplication
 
 from plusedit.app.settings import Settings
@@ -63,9 +64,8 @@ class ViewState:
         camera = self._panes.active.camera
         if isinstance(camera, PlaneCamera):
             return camera.projection
-        now = (round(camera.yaw, 9), round(camera.pitch, 9))
-        names = (n for n, (yaw, pitch) in STANDARD.items() if now == (round(yaw, 9), pitch))
-        return next(names, "")
+        now = camera.yaw, camera.pitch
+        return next((name for name, way in STANDARD.items() if np.allclose(way, now)), "")
 
     def look_from(self, name: str) -> None:
         """Turn the view in use to that side."""
