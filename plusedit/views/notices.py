@@ -6,7 +6,8 @@ from PySide6.QtGui import QFontMetricsF, QPainter
 from plusedit.scene.theme import Theme
 from plusedit.views.painter import color_of, font_of, pen_of
 
-EMPTY = "Draw a curve with the pen (P), take a surface from Surface > New, or drop a file here"
+PATH = "Surface\N{NO-BREAK SPACE}>\N{NO-BREAK SPACE}New"  # of a menu, on one line
+EMPTY = f"Draw a curve with the pen (P), take a surface from {PATH}, or drop a file here"
 TEXT = 12.0  # pixels, the height of the font
 PADDING = (8.0, 5.0)  # pixels around the text of a chip
 OFF_POINTER = (18.0, 22.0)  # pixels from the pointer to its chip: clear of the cursor

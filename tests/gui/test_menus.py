@@ -7,6 +7,8 @@ from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QApplication
 
+from plusedit.views.notices import EMPTY
+
 pytestmark = pytest.mark.gui
 
 
@@ -59,3 +61,7 @@ def test_ctrl_and_a_digit_of_the_number_pad_do_not_choose_panes(window):
     event.ignore()
     QApplication.sendEvent(window.panes, event)
     assert event.isAccepted(), "else Qt would look for Ctrl+1"
+
+
+def test_the_path_of_a_menu_is_not_broken_over_two_lines():
+    assert "Surface\u00a0>\u00a0New" in EMPTY
