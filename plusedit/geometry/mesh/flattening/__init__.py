@@ -1,0 +1,1 @@
+"""What the maps of meshes share: the sheet of triangles, weights, paths, equations, distortion."""
