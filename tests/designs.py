@@ -10,10 +10,18 @@ from plusedit.geometry.bases.bspline import BSpline
 from plusedit.geometry.bases.rag import RationalGaussian
 from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.lines import ControlLines
+from plusedit.geometry.mesh.domains import (
+    CylinderDomain,
+    PillowDomain,
+    PlaneDomain,
+    TorusDomain,
+)
+from plusedit.geometry.mesh.mesh_surface import EditedPlane, MeshSurface
+from plusedit.geometry.mesh.polygons import PolygonMesh
 from plusedit.geometry.planes import ControlPlanes
 from plusedit.geometry.surface import PlusSurface
 
-WING, BOW, SAIL = ShapeId("wing"), ShapeId("bow"), ShapeId("sail")
+WING, BOW, SAIL, KNEE = ShapeId("wing"), ShapeId("bow"), ShapeId("sail"), ShapeId("knee")
 
 DOCUMENT = b"""{
   "format": "plusedit-design", "version": 1, "author": {"name": "Ada"},
@@ -57,6 +65,15 @@ def a_design():
     lines = ControlLines.of([[0.0, 1.0], [2.0, 3.0], [4.0, 1.0]])
     bow = PlusCurve(Bernstein(3), lines, 1.0)
     return Design({WING: Shape(a_curve(), "wing"), BOW: Shape(bow, "Bow")})
+
+
+def a_mesh(smoothness=0.7):
+    """A tent of a quad and a triangle over the plane, one of its planes edited."""
+    vertices = [[0, 0, 0], [1, 0, 0], [1, 1, 1], [0, 1, 1], [2, 0.5, 0.5]]
+    mesh = PolygonMesh.of(vertices, [[0, 1, 2, 3], [1, 4, 2]])
+    parameters = mesh.vertices[mesh.corners, :2]
+    edited = {1: EditedPlane(point=[1.5, 0.5, 1.0])}
+    return MeshSurface(mesh, PlaneDomain(), parameters, smoothness, edited=edited)
 
 
 coordinates = st.floats(-1e100, 1e100, allow_nan=False)
@@ -113,6 +130,34 @@ def surfaces(draw):
     return PlusSurface(draw(bases(rows)), draw(bases(columns)), planes, draw(coordinates))
 
 
+domains = st.one_of(
+    st.sampled_from([PlaneDomain(), CylinderDomain()]),
+    st.builds(TorusDomain, positive),
+    st.builds(PillowDomain, positive),
+)
+
+
+@st.composite
+def meshes(draw):
+    """Any surface of a mesh that a file can hold."""
+    count = draw(st.integers(3, 6))
+    vector = st.tuples(*[st.floats(-1e90, 1e90)] * 3)
+    vertices = draw(st.lists(vector, min_size=count, max_size=count))
+    corner = st.integers(0, count - 1)
+    faces = draw(st.lists(st.lists(corner, min_size=3, max_size=5), min_size=1, max_size=4))
+    mesh = PolygonMesh.of(np.array(vertices), faces)
+    # Places that are closer together would make control planes too steep to be calculated with.
+    place = st.tuples(*[st.integers(-9999, 9999).map(lambda number: number / 7)] * 2)
+    corners = len(mesh.corners)
+    parameters = draw(st.lists(place, min_size=corners, max_size=corners))
+    parameters[0], parameters[1] = (0.0, 0.0), (1.0, 2.0)  # so that there is a surface
+    plane = st.builds(EditedPlane, *[st.none() | vector] * 3)
+    edited = draw(st.dictionaries(st.integers(0, len(faces) - 1), plane, max_size=2))
+    factors = draw(st.none() | st.lists(positive, min_size=len(faces), max_size=len(faces)))
+    numbers = draw(positive), draw(coordinates), draw(st.booleans())
+    return MeshSurface(mesh, draw(domains), np.array(parameters), *numbers, edited, factors)
+
+
 words = st.text(max_size=8)
 json_values = st.recursive(
     st.none() | st.booleans() | st.integers() | st.floats(allow_nan=False, allow_infinity=False)
@@ -126,13 +171,20 @@ styles = st.builds(
     st.none() | st.floats(0.0, 1e6),
 )
 shapes = st.builds(
-    Shape, curves() | surfaces(), words, visible=st.booleans(), locked=st.booleans(), style=styles
+    Shape,
+    curves() | surfaces() | meshes(),
+    words,
+    visible=st.booleans(),
+    locked=st.booleans(),
+    style=styles,
 )
 designs = st.builds(Design, st.dictionaries(words.map(ShapeId), shapes, max_size=3))
 
 
 def bits(geometry):
-    """All that makes a curve or a surface, for comparing to the last bit."""
+    """All that makes a geometry, for comparing to the last bit."""
+    if isinstance(geometry, MeshSurface):
+        return bits_of_mesh(geometry)
     net = geometry.net
     arrays = [net.control_points, net.given_vectors, net.automatic_vectors, net.weight_row]
     bases = [geometry.basis] if isinstance(geometry, PlusCurve) else geometry.bases
@@ -140,9 +192,27 @@ def bits(geometry):
     return repr(bases), [None if a is None else (a.shape, a.tobytes()) for a in numbers]
 
 
+def bits_of_mesh(surface):
+    mesh, factors = surface.mesh, surface.factors
+    arrays = [mesh.vertices, mesh.corners, mesh.starts, surface.parameters]
+    parts = ("point", "gradient_u", "gradient_v")
+    planes = {
+        face: [None if (row := getattr(plane, part)) is None else row.tobytes() for part in parts]
+        for face, plane in surface.edited.items()
+    }
+    numbers = (surface.domain, surface.smoothness, surface.s, surface.area_weights)
+    is_even = factors is None or (factors == 1.0).all()
+    return (
+        repr(numbers),
+        [(a.shape, a.tobytes()) for a in arrays],
+        planes,
+        None if is_even else factors.tobytes(),
+    )
+
+
 def contents(design):
-    """All that makes a design of curves and surfaces, likewise."""
+    """All that makes a design, likewise."""
     return [
-        (i, shape.name, shape.visible, shape.locked, shape.style, bits(shape.plus))
+        (i, shape.name, shape.visible, shape.locked, shape.style, bits(shape.geometry))
         for i, shape in design.shapes.items()
     ]

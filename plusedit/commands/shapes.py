@@ -7,10 +7,13 @@ here too.
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from plusedit.commands.base import (
     Command,
     Targets,
     edit_curves,
+    fitted,
     of_curves,
     unlocked,
     with_shapes,
@@ -106,6 +109,9 @@ class Duplicate(Command):
             if shape.plus is not None:
                 rows = tuple(range(len(shape.plus.net)))
                 design = MovePoints({copy_id: rows}, self.offset).apply(design)
+            elif shape.mesh is not None:
+                moved = shape.mesh.transformed(np.eye(3), fitted(self.offset, 3))
+                design = design.with_shape(copy_id, design[copy_id].with_mesh(moved))
         return design
 
     def reselect(self, selection: Selection, old: Design, new: Design) -> Selection:

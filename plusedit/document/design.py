@@ -10,6 +10,7 @@ from types import MappingProxyType
 
 from plusedit.document.shape import NOTHING, PlusGeometry, Shape, ShapeId, Tree
 from plusedit.geometry.curve import PlusCurve
+from plusedit.geometry.mesh.mesh_surface import MeshSurface
 from plusedit.geometry.surface import PlusSurface
 
 
@@ -60,11 +61,18 @@ class Design:
             raise EditError(f"{self[shape_id].name} is not a surface")
         return surface
 
+    def mesh(self, shape_id: ShapeId) -> MeshSurface:
+        """The surface of the mesh of that shape. EditError if there is none."""
+        mesh = self[shape_id].mesh
+        if mesh is None:
+            raise EditError(f"{self[shape_id].name} is not a mesh")
+        return mesh
+
     def plus(self, shape_id: ShapeId) -> PlusGeometry:
-        """The curve or surface of that shape. EditError if there is none."""
+        """The curve or surface with a control net of that shape. EditError if there is none."""
         geometry = self[shape_id].plus
         if geometry is None:
-            raise EditError(f"{self[shape_id].name} can't be edited")
+            raise EditError(f"{self[shape_id].name} is a mesh: it has no control net")
         return geometry
 
     def curves(self) -> Iterator[tuple[ShapeId, PlusCurve]]:
@@ -79,16 +87,24 @@ class Design:
             if shape.surface is not None:
                 yield shape_id, shape.surface
 
+    def meshes(self) -> Iterator[tuple[ShapeId, MeshSurface]]:
+        """Every surface of a mesh with its id, back to front."""
+        for shape_id, shape in self.shapes.items():
+            if shape.mesh is not None:
+                yield shape_id, shape.mesh
+
     def drawn(self) -> Iterator[tuple[ShapeId, PlusGeometry]]:
-        """Every curve and surface with its id, back to front."""
+        """Every curve and surface with a control net with its id, back to front."""
         for shape_id, shape in self.shapes.items():
             if shape.plus is not None:
                 yield shape_id, shape.plus
 
     @property
     def is_spatial(self) -> bool:
-        """Whether it has surfaces, or curves of space."""
-        return any(geometry.dimension == 3 for _, geometry in self.drawn())
+        """Whether it has surfaces, meshes, or curves of space."""
+        return any(
+            shape.plus is None or shape.plus.dimension == 3 for shape in self.shapes.values()
+        )
 
     def with_shape(self, shape_id: ShapeId, shape: Shape) -> "Design":
         """The design with that shape in place of the one of that id, or in front of all."""
@@ -98,7 +114,7 @@ class Design:
         """The design with other geometry for one shape. EditError if it is locked or hidden."""
         shape = self[shape_id]
         if not shape.editable:
-            state = "locked" if shape.locked else "hidden" if not shape.visible else "not drawn"
+            state = "locked" if shape.locked else "hidden"
             raise EditError(f"{shape.name} is {state}")
         return self.with_shape(shape_id, shape.with_curve(curve))
 

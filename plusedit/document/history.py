@@ -7,6 +7,8 @@ from plusedit.document.design import Design
 from plusedit.document.shape import Shape
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.curve import PlusCurve
+from plusedit.geometry.mesh.mesh_surface import MeshSurface
+from plusedit.geometry.mesh.polygons import Numbers
 from plusedit.geometry.net import Flags
 from plusedit.geometry.surface import PlusSurface
 
@@ -109,10 +111,22 @@ def _bytes_not_shared(old: Design, new: Design) -> int:
     return total
 
 
-def _arrays(shape: Shape | None) -> Iterator[Floats | Flags]:
+def _arrays(shape: Shape | None) -> Iterator[Floats | Flags | Numbers]:
     # The arrays themselves, not the flat views of them: what is shared is told by identity.
     match shape and shape.geometry:
         case PlusCurve(lines=net) | PlusSurface(planes=net):
             yield from (net.points, net.given, net.automatic)
             if net.weights is not None:
                 yield net.weights
+        case MeshSurface() as surface:
+            yield from _of_mesh(surface)
+
+
+def _of_mesh(surface: MeshSurface) -> Iterator[Floats | Numbers]:
+    mesh = surface.mesh
+    yield from (mesh.vertices, mesh.corners, mesh.starts, surface.parameters)
+    if surface.factors is not None:
+        yield surface.factors
+    if surface.edited:
+        # An edited surface keeps control planes of its own.
+        yield from (surface.planes.points, surface.planes.gradients_u, surface.planes.gradients_v)

@@ -9,6 +9,7 @@ from types import MappingProxyType
 from typing import NewType, TypeAlias
 
 from plusedit.geometry.curve import PlusCurve
+from plusedit.geometry.mesh.mesh_surface import MeshSurface
 from plusedit.geometry.surface import PlusSurface
 
 ShapeId = NewType("ShapeId", str)
@@ -19,20 +20,10 @@ NOTHING: Tree = MappingProxyType({})
 COLOR = re.compile("#[0-9a-fA-F]{6}", re.ASCII)
 
 
-@dataclass(frozen=True, eq=False)
-class NotDrawn:
-    """A shape that this program keeps but can't draw yet, as it stood in the file."""
-
-    kind: str
-    """what the file calls it, such as "mesh" """
-    tree: Tree
-    """every key of the shape but those that `Shape` knows"""
-
-
 PlusGeometry: TypeAlias = PlusCurve | PlusSurface
 """What has a net of control lines or control planes that can be edited."""
 
-Geometry: TypeAlias = PlusCurve | PlusSurface | NotDrawn
+Geometry: TypeAlias = PlusCurve | PlusSurface | MeshSurface
 
 
 @dataclass(frozen=True)
@@ -74,14 +65,19 @@ class Shape:
         return self.geometry if isinstance(self.geometry, PlusSurface) else None
 
     @property
+    def mesh(self) -> MeshSurface | None:
+        """The surface of a polygon mesh, or None where the shape is of another kind."""
+        return self.geometry if isinstance(self.geometry, MeshSurface) else None
+
+    @property
     def plus(self) -> PlusGeometry | None:
-        """The curve or surface, or None where the shape can't be drawn."""
-        return None if isinstance(self.geometry, NotDrawn) else self.geometry
+        """The curve or surface with a control net; None where the shape is a mesh."""
+        return None if isinstance(self.geometry, MeshSurface) else self.geometry
 
     @property
     def editable(self) -> bool:
-        """Whether its geometry may be changed: it is seen, not locked, and can be drawn."""
-        return self.visible and not self.locked and self.plus is not None
+        """Whether its geometry may be changed: it is seen and not locked."""
+        return self.visible and not self.locked
 
     def with_curve(self, curve: PlusCurve) -> "Shape":
         """The same shape with another curve."""
@@ -90,3 +86,7 @@ class Shape:
     def with_plus(self, geometry: PlusGeometry) -> "Shape":
         """The same shape with another curve or surface."""
         return replace(self, geometry=geometry)
+
+    def with_mesh(self, mesh: MeshSurface) -> "Shape":
+        """The same shape with another surface of a mesh."""
+        return replace(self, geometry=mesh)

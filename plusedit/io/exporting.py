@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from plusedit.document.design import Design
-from plusedit.document.shape import NotDrawn, Shape, ShapeId
+from plusedit.document.shape import Shape, ShapeId
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.blend import Grid
 from plusedit.geometry.curve import PlusCurve
@@ -155,8 +155,8 @@ def _chosen(
 
 def _reason(shape: Shape, entry: Export) -> str:
     """Why it can't be written; empty if it can."""
-    if isinstance(shape.geometry, NotDrawn):
-        return f"a {shape.geometry.kind} can't be exported yet"
+    if shape.mesh is not None:
+        return "a mesh can't be exported yet"
     if shape.curve is not None and not entry.has_curves:
         return f"{entry.title} has no curves"
     return ""

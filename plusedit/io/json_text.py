@@ -28,6 +28,11 @@ ENCODINGS = {
 }
 
 
+class Rows(list[Json]):
+    """A list of rows of numbers, or of rows of these: one a line where it is long, however long
+    that line gets."""
+
+
 class _StandsTwiceError(Exception):
     """An object of the text has the same key twice."""
 
@@ -65,6 +70,8 @@ def layout(value: object, indent: str = "", *, opened: int = 0) -> str:
         if len(indent) + len(line) <= WIDTH:
             return line
     inner, deeper = indent + "  ", max(0, opened - 1)
+    if isinstance(value, Rows):
+        return _block("[", [_a_row_a_line(value, inner)], "]", indent)
     if isinstance(value, Mapping):
         parts = [f"{encode(k)}: {layout(v, inner, opened=deeper)}" for k, v in value.items()]
         return _block("{", parts, "}", indent)
@@ -159,6 +166,14 @@ def _row(value: object) -> str | None:
         return None
     # Numbers that are not finite are left to the encoder, which refuses them.
     return None if "n" in words else f"[{words}]"
+
+
+def _a_row_a_line(rows: Rows, indent: str) -> str:
+    # The encoder takes far longer for one row after the other.
+    line = encode(rows)[1:-1]
+    first = rows[0]
+    seam = "]], [[" if isinstance(first, list) and isinstance(first[0], list) else "], ["
+    return line.replace(seam, seam.replace(" ", f"\n{indent}"))
 
 
 def _block(opening: str, parts: list[str], closing: str, indent: str) -> str:

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from plusedit.document.design import Design
-from plusedit.document.shape import Json, NotDrawn, PlusGeometry, ShapeId, Tree
+from plusedit.document.shape import Json, PlusGeometry, ShapeId, Tree
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.curve import PlusCurve
 from plusedit.io.fields import numbers, object_of, required, within
@@ -67,9 +67,9 @@ def _names(geometry: PlusGeometry) -> tuple[str, ...]:
 def _parameters(key: str, value: Json, design: Design) -> tuple[Floats, ...]:
     if key not in design:
         raise FormatError("the design has no such shape")
-    geometry = design[ShapeId(key)].geometry
-    if isinstance(geometry, NotDrawn):
-        raise FormatError(f"a {geometry.kind} can't be sampled yet")
+    geometry = design[ShapeId(key)].plus
+    if geometry is None:
+        raise FormatError("a mesh can't be sampled yet")
     tree, names = object_of(value, "parameters"), _names(geometry)
     if unknown := set(tree) - set(names):
         whose = 'curve has the parameter "u"' if names == ("u",) else 'surface has "u" and "v"'

@@ -13,9 +13,8 @@ from itertools import pairwise
 import numpy as np
 
 from plusedit.document.design import Design
-from plusedit.document.shape import Json, NotDrawn, Shape, ShapeId, Tree
+from plusedit.document.shape import Json, Shape, ShapeId, Tree
 from plusedit.geometry.arrays import Floats
-from plusedit.geometry.surface import PlusSurface
 from plusedit.io.fields import of_number
 from plusedit.io.svg_cubics import chain_of
 from plusedit.io.svg_frames import Frame, frame_in
@@ -44,10 +43,7 @@ def write_svg(design: Design) -> bytes:
 
 def left_out(design: Design) -> tuple[str, ...]:
     """What of a design a drawing can't show, one sentence a kind."""
-    geometries = [shape.geometry for shape in design.shapes.values()]
-    surfaces = sum(isinstance(geometry, PlusSurface) for geometry in geometries)
-    meshes = sum(isinstance(geometry, NotDrawn) for geometry in geometries)
-    kinds = [("surface", surfaces), ("mesh", meshes)]
+    kinds = [("surface", len(list(design.surfaces()))), ("mesh", len(list(design.meshes())))]
     counted = " and ".join(of_number(count, kind) for kind, count in kinds if count)
     space = sum(curve.dimension == 3 for _, curve in design.curves())
     sentences = []

@@ -3,10 +3,10 @@
 from typing import Literal
 
 from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QPoint, QRect, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QPainter, QPen
+from PySide6.QtGui import QColor, QPainter
 from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem, QWidget
 
-from plusedit.document.shape import NotDrawn, Shape
+from plusedit.document.shape import Shape
 from plusedit.views.color_button import draw_chip
 from plusedit.views.desk import Desk
 from plusedit.views.icons import tinted
@@ -77,11 +77,7 @@ class ShapeRows(QStyledItemDelegate):
 
     def _chip(self, painter: QPainter, row: QRect, shape: Shape) -> None:
         place = QRectF(row.left() + MARGIN, row.center().y() - CHIP / 2 + 1, CHIP, CHIP)
-        if isinstance(shape.geometry, NotDrawn):
-            painter.setPen(QPen(QColor(self._desk.theme.color("quiet")), 1.5, Qt.PenStyle.DotLine))
-            painter.drawRect(place.adjusted(1, 1, -1, -1))
-            return
-        is_surface = shape.surface is not None
+        is_surface = shape.curve is None
         # The warm gray of surfaces would hardly be seen as a thin outline.
         usual = "quiet" if is_surface else "plus"
         color = QColor(shape.style.color or self._desk.theme.color(usual))
@@ -99,12 +95,6 @@ class ShapeRows(QStyledItemDelegate):
         align = Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft
         fitting = metrics.elidedText(text, Qt.TextElideMode.ElideRight, place.width())
         painter.drawText(place, int(align), fitting)
-        if isinstance(shape.geometry, NotDrawn):
-            place.setLeft(place.left() + metrics.horizontalAdvance(fitting) + 8)
-            remark = f"{shape.geometry.kind} – not yet drawn"
-            painter.setPen(QColor(self._desk.theme.color("quiet")))
-            remark = metrics.elidedText(remark, Qt.TextElideMode.ElideRight, place.width())
-            painter.drawText(place, int(align), remark)
 
     def _switches(self, painter: QPainter, row: QRect, shape: Shape, *, show_all: bool) -> None:
         color = QColor(self._desk.theme.color("quiet"))

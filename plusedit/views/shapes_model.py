@@ -9,7 +9,8 @@ from PySide6.QtCore import (
 )
 
 from plusedit.commands.shapes import Rename, Reorder
-from plusedit.document.shape import NotDrawn, Shape, ShapeId
+from plusedit.document.shape import Shape, ShapeId
+from plusedit.geometry.mesh.mesh_surface import MeshSurface
 from plusedit.geometry.surface import PlusSurface
 from plusedit.views.desk import Desk
 
@@ -129,8 +130,9 @@ def look_of(shape: Shape) -> tuple[object, ...]:
 
 def described(shape: Shape) -> str:
     """A shape in a few words, for its tooltip."""
-    if isinstance(shape.geometry, NotDrawn):
-        return f"{shape.geometry.kind} – not yet drawn"
+    if isinstance(shape.geometry, MeshSurface):
+        count = shape.geometry.mesh.face_count
+        return f"{shape.name}: mesh of {count} face{'' if count == 1 else 's'}"
     if isinstance(shape.geometry, PlusSurface):
         return f"{shape.name}: {of_planes(shape.geometry)}"
     curve = shape.geometry

@@ -20,11 +20,12 @@ from plusedit.commands.shapes import (
 from plusedit.document.design import EditError
 from plusedit.document.selection import LineId, Selection
 from plusedit.document.session import Session
-from plusedit.document.shape import NotDrawn, Shape, ShapeId
+from plusedit.document.shape import Shape, ShapeId
 from plusedit.geometry.bases.bspline import BSpline
 from plusedit.geometry.bases.rag import RationalGaussian
 from plusedit.geometry.magnitude import polygon_length
 from tests.commands.known import POINTS, A, B, known, spline
+from tests.designs import KNEE, a_mesh
 
 PARAMETERS = np.linspace(0.0, 1.0, 33)
 
@@ -123,10 +124,14 @@ def test_locked_shapes_can_be_renamed_hidden_and_unlocked():
     assert not SetLocked((A,), False).apply(locked)[A].locked
 
 
-def test_shapes_that_are_not_drawn_can_be_deleted():
-    mesh = Shape(NotDrawn("mesh", {}), "S")
-    start = known().with_shape(ShapeId("s"), mesh)
-    assert ShapeId("s") not in DeleteShapes((ShapeId("s"),)).apply(start)
+def test_meshes_can_be_deleted_and_duplicated():
+    start = known().with_shape(KNEE, Shape(a_mesh(), "Knee"))
+    assert KNEE not in DeleteShapes((KNEE,)).apply(start)
+    [(_, copy)] = set(Duplicate((KNEE,), np.array([1.0, 2.0])).apply(start).meshes()) - set(
+        start.meshes()
+    )
+    places = a_mesh().vertex_places
+    assert_allclose(copy.at(places) - a_mesh().at(places), [[1.0, 2.0, 0.0]] * 5)
 
 
 def test_an_order_names_every_shape_once():

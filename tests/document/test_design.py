@@ -3,14 +3,12 @@
 import pytest
 
 from plusedit.document.design import Design, EditError, changed
-from plusedit.document.shape import NotDrawn, Shape, ShapeId, Style
-from tests.designs import BOW, WING, a_curve, a_design
-
-KNEE = ShapeId("knee")
+from plusedit.document.shape import Shape, ShapeId, Style
+from tests.designs import BOW, KNEE, WING, a_curve, a_design, a_mesh
 
 
 def with_a_knee(design):
-    return design.with_shape(KNEE, Shape(NotDrawn("mesh", {}), "Knee"))
+    return design.with_shape(KNEE, Shape(a_mesh(), "Knee"))
 
 
 def test_an_edit_shares_every_shape_that_it_did_not_touch(design):

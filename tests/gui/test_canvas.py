@@ -14,7 +14,6 @@ from PySide6.QtWidgets import QApplication
 from plusedit.document.design import Design
 from plusedit.document.selection import LineId, Selection
 from plusedit.document.session import Session
-from plusedit.document.shape import NOTHING, NotDrawn, Shape, ShapeId
 from plusedit.interaction.gesture import Gestures
 from plusedit.scene.camera import PlaneCamera
 from plusedit.scene.handles import handles
@@ -22,7 +21,7 @@ from plusedit.scene.options import ViewOptions
 from plusedit.scene.theme import DARK, LIGHT
 from plusedit.views.canvas import PlaneCanvas
 from plusedit.views.strata import Strata
-from tests.designs import BOW, WING, a_design
+from tests.designs import BOW, WING
 
 pytestmark = pytest.mark.gui
 
@@ -363,16 +362,6 @@ def test_an_empty_view_says_what_to_do(qtbot):
     image = canvas.grab().toImage().copy(200, 250, 400, 100)
     colors = {image.pixel(x, y) for x in range(400) for y in range(100)}
     assert len(colors) > 10
-
-
-def test_what_is_kept_but_not_drawn_is_noted_in_the_corner(qtbot):
-    kept = Shape(NotDrawn("mesh", NOTHING), "Knee")
-    note = canvas_of(Session(Design({**a_design().shapes, ShapeId("knee"): kept})))
-    bare = canvas_of(Session(a_design()))
-    for canvas in (note, bare):
-        qtbot.addWidget(canvas)
-    corner = (30, 550, 200, 40)
-    assert note.grab().toImage().copy(*corner) != bare.grab().toImage().copy(*corner)
 
 
 def test_the_view_has_a_name_for_who_can_not_see_it(canvas):

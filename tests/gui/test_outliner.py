@@ -91,7 +91,7 @@ def test_delete_takes_the_selected_shapes(qtbot, window, outliner):
     assert list(window.session.design) == [WING]
 
 
-def test_shapes_that_cant_be_drawn_are_listed_as_such(opened):
+def test_the_kinds_of_shapes_are_told(opened):
     outliner = opened.docks.widget("outliner")
     outliner.refresh()
     tips = [
@@ -99,7 +99,7 @@ def test_shapes_that_cant_be_drawn_are_listed_as_such(opened):
         for row in range(outliner.model.rowCount())
     ]
     assert "sail: tube of 2 × 3 control planes" in tips
-    assert "mesh – not yet drawn" in tips
+    assert "knee: mesh of 2 faces" in tips
     assert not outliner.grab().isNull()
 
 

@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 
 from plusedit.document.design import Design
-from plusedit.document.shape import NOTHING, NotDrawn, Shape
+from plusedit.document.shape import Shape
 from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.planes import ControlPlanes
 from plusedit.io import exporting
 from plusedit.io.exporting import USUAL, Report, Tolerance, export_design, export_of
 from plusedit.io.formats import FormatError
-from tests.designs import a_curve
+from tests.designs import a_curve, a_mesh
 from tests.geometry.surfaces import a_surface
 from tests.io.mesh_files import READERS
 
@@ -20,7 +20,7 @@ DESIGN = Design(
     {
         "wing": Shape(a_curve(), "Wing"),
         "sail": Shape(a_surface(), "Sail"),
-        "knee": Shape(NotDrawn("mesh", NOTHING), "Knee"),
+        "knee": Shape(a_mesh(), "Knee"),
         "hidden": Shape(a_surface(), "Ghost", visible=False),
     }
 )

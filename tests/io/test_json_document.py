@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from plusedit.document.design import Design
-from plusedit.document.shape import NotDrawn, Shape, ShapeId
+from plusedit.document.shape import Shape
 from plusedit.geometry.bases.bernstein import Bernstein
 from plusedit.geometry.bases.bspline import BSpline
 from plusedit.geometry.curve import PlusCurve
@@ -21,6 +21,7 @@ from plusedit.io.formats.json_document import dumps, loads
 from tests.designs import (
     BOW,
     DOCUMENT,
+    KNEE,
     SAIL,
     WING,
     a_curve,
@@ -29,8 +30,6 @@ from tests.designs import (
     json_values,
     words,
 )
-
-KNEE = ShapeId("knee")
 
 OLD_FILES = sorted((Path(__file__).parents[1] / "data/documents").glob("v*/*.json"))
 
@@ -97,21 +96,11 @@ def test_a_key_of_another_family_does_not_come_to_life():
     assert saved == {"family": "bspline", "order": 4}
 
 
-def test_what_is_not_drawn_yet_is_kept_untouched():
-    assert isinstance(read()[KNEE].geometry, NotDrawn)
-    assert tree_of(read())["shapes"][3] == json.loads(DOCUMENT)["shapes"][3]
-
-
-def test_what_is_not_drawn_yet_can_be_renamed_and_hidden():
+def test_a_mesh_can_be_renamed_and_hidden():
     design = read()
     hidden = replace(design[KNEE], name="Knie", visible=False)
     tree = tree_of(design.with_shape(KNEE, hidden))["shapes"][3]
     assert (tree["name"], tree["visible"], tree["smoothness"]) == ("Knie", False, 0.7)
-
-
-def test_what_is_not_drawn_yet_is_told():
-    [note] = loads(DOCUMENT, "bow.json").notes
-    assert note == "1 mesh kept as in the file, not yet drawn"
 
 
 def test_defaults_are_not_written():

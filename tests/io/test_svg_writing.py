@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 
 from plusedit.document.design import Design
-from plusedit.document.shape import NotDrawn, Shape, Style
+from plusedit.document.shape import Shape, Style
 from plusedit.geometry.bases.bernstein import Bernstein
 from plusedit.geometry.bases.bspline import BSpline
 from plusedit.geometry.bases.rag import RationalGaussian
@@ -21,6 +21,7 @@ from plusedit.io.formats.json_document import dumps, loads
 from plusedit.io.svg_cubics import chain_of
 from plusedit.io.svg_reading import read_svg
 from plusedit.io.svg_writing import left_out, write_svg
+from tests.designs import a_mesh
 from tests.geometry.surfaces import a_surface
 from tests.io.svg_drawings import (
     cubic,
@@ -308,7 +309,7 @@ def test_caps_dashes_and_opacities_are_kept():
 
 
 def test_shapes_without_a_curve_are_left_out_and_it_is_said():
-    sail, knee = Shape(a_surface(), "sail"), Shape(NotDrawn("mesh", {}), "knee")
+    sail, knee = Shape(a_surface(), "sail"), Shape(a_mesh(), "knee")
     what = Design({"sail": sail, "bow": Shape(bezier(), "bow"), "jib": sail, "knee": knee})
     data = write_svg(what)
     assert len(paths_of(data)) == 1

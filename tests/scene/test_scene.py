@@ -1,17 +1,15 @@
 from dataclasses import replace
 
 import numpy as np
-import pytest
 from hypothesis import given, settings
 from numpy.testing import assert_array_equal
 
-from plusedit.document.design import Design
 from plusedit.document.selection import LineId, Selection
-from plusedit.document.shape import NOTHING, NotDrawn, Shape, ShapeId, Style
+from plusedit.document.shape import Style
 from plusedit.scene.camera import PlaneCamera
 from plusedit.scene.items import Label, Markers, Polygon, Polyline, Segments
 from plusedit.scene.options import ViewOptions
-from plusedit.scene.scene import left_out, scene_items
+from plusedit.scene.scene import scene_items
 from tests.designs import BOW, WING, a_design, designs
 
 CAMERA = PlaneCamera((800.0, 600.0), (2.0, 1.0), 100.0)
@@ -122,23 +120,3 @@ def test_whatever_a_file_can_hold_can_be_drawn(design):
         for value in vars(item).values():
             if isinstance(value, np.ndarray):
                 assert np.isfinite(value).all()
-
-
-def kept(*kinds):
-    return Design(
-        {ShapeId(str(i)): Shape(NotDrawn(kind, NOTHING), kind) for i, kind in enumerate(kinds)}
-    )
-
-
-@pytest.mark.parametrize(
-    ("kinds", "sentence"),
-    [
-        ((), ""),
-        (("mesh",), "1 mesh is kept but not drawn yet"),
-        (("mesh", "mesh"), "2 meshes are kept but not drawn yet"),
-        (("mesh", "cloud", "mesh"), "1 cloud and 2 meshes are kept but not drawn yet"),
-    ],
-)
-def test_what_is_left_out_is_said(kinds, sentence):
-    assert left_out(kept(*kinds)) == sentence
-    assert not list(scene_items(kept(*kinds), CAMERA, ViewOptions()))

@@ -8,7 +8,8 @@ from collections.abc import Callable
 from types import MappingProxyType
 
 from plusedit.document.design import Design
-from plusedit.document.shape import Geometry, Json, NotDrawn, Shape, ShapeId, Style, Tree
+from plusedit.document.shape import Geometry, Json, Shape, ShapeId, Style, Tree
+from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.surface import PlusSurface
 from plusedit.io.curve_fields import CURVE_KEYS, curve_tree, read_curve
 from plusedit.io.fields import (
@@ -20,14 +21,13 @@ from plusedit.io.fields import (
     nested,
     number,
     object_of,
-    of_number,
     required,
     text,
     within,
 )
 from plusedit.io.formats import FormatError, Loaded, register
 from plusedit.io.json_text import document, parse, shown
-from plusedit.io.not_drawn import MESH_KEYS, check_mesh
+from plusedit.io.mesh_fields import MESH_KEYS, mesh_tree, read_mesh_surface
 from plusedit.io.surface_fields import SURFACE_KEYS, read_surface, surface_tree
 
 FORMAT = "plusedit-design"
@@ -70,7 +70,7 @@ def loads(data: bytes, name: str) -> Loaded:
         if not isinstance(tree, dict):
             raise FormatError(f"expected an object, got {shown(tree)}")
         design = _design(up_to_date(tree))
-    return Loaded(design, _notes(design))
+    return Loaded(design)
 
 
 def dumps(design: Design) -> bytes:
@@ -127,10 +127,10 @@ def _shape(shape_id: ShapeId, tree: Object) -> Shape:
     kind = text(required(tree, "kind"), "kind")
     if kind not in KEYS:
         raise expected("kind", '"curve", "surface" or "mesh"', kind)
-    geometry, of_bases = _geometry(kind, tree)
+    geometry, of_keys = _geometry(kind, tree)
     unknown = kept(tree, SHARED | KEYS[kind])
     style, of_style = _style(tree.get("style", {}))
-    inside = {key: found for key, found in {**of_bases, "style": of_style}.items() if found}
+    inside = {key: found for key, found in {**of_keys, "style": of_style}.items() if found}
     return Shape(
         geometry,
         name=text(tree.get("name", shape_id), "name"),
@@ -142,14 +142,12 @@ def _shape(shape_id: ShapeId, tree: Object) -> Shape:
 
 
 def _geometry(kind: str, tree: Object) -> tuple[Geometry, dict[str, Object]]:
-    """What `tree` says to draw, and the unknown keys of its bases, by the keys of those."""
+    """What `tree` says to draw, and what else stands under its keys, by those."""
     if kind == "curve":
         return read_curve(tree)
     if kind == "surface":
         return read_surface(tree)
-    check_mesh(tree)
-    known = {key: tree[key] for key in tree if key in KEYS[kind]}
-    return NotDrawn(kind, MappingProxyType(known)), {}
+    return read_mesh_surface(tree)
 
 
 def _style(value: Json) -> tuple[Style, Object]:
@@ -181,11 +179,11 @@ def _shape_tree(shape_id: ShapeId, shape: Shape) -> Tree:
 def _own_tree(shape: Shape) -> tuple[str, Tree]:
     """Its kind, and what only shapes of that kind have."""
     geometry = shape.geometry
-    if isinstance(geometry, NotDrawn):
-        return geometry.kind, _without(geometry.tree, SHARED)
+    if isinstance(geometry, PlusCurve):
+        return "curve", curve_tree(geometry, shape.extra)
     if isinstance(geometry, PlusSurface):
         return "surface", surface_tree(geometry, shape.extra)
-    return "curve", curve_tree(geometry, shape.extra)
+    return "mesh", mesh_tree(geometry, shape.extra)
 
 
 def _style_tree(style: Style, extra: Tree) -> Tree:
@@ -195,8 +193,3 @@ def _style_tree(style: Style, extra: Tree) -> Tree:
 
 def _without(tree: Tree, known: frozenset[str]) -> Tree:
     return {key: value for key, value in tree.items() if key not in known}
-
-
-def _notes(design: Design) -> tuple[str, ...]:
-    count = sum(isinstance(shape.geometry, NotDrawn) for shape in design.shapes.values())
-    return (f"{of_number(count, 'mesh')} kept as in the file, not yet drawn",) if count else ()
