@@ -1,6 +1,6 @@
 """Directions that follow the pointer over a ball, and their angles."""
 
-from math import asin, atan2, cos, pi, radians, sin
+from math import acos, asin, atan2, cos, pi, radians, sin
 
 import numpy as np
 
@@ -8,7 +8,7 @@ from plusedit.commands.directions import quarter_exact
 from plusedit.geometry.arrays import Floats, unit
 from plusedit.scene.camera import Camera
 
-STEEPEST = radians(55.0)  # from where the ball is seen head on: up to there its own shape is kept
+FASTEST = radians(5.0)  # by which a pixel may turn the grip
 LEAST = 26.0  # pixels, the smallest radius: a ball no larger than a mark could not be steered
 
 
@@ -26,8 +26,10 @@ class Ball:
         arm = grip - center
         self._radius = max(float(np.linalg.norm(arm)) / pixel, LEAST)
         x, y, toward = self._frame @ unit(arm)
+        self._steepest = acos(1.0 / (self._radius * FASTEST))
         self._half = 1.0 if toward >= 0.0 else -1.0
-        self._start = _seen(atan2(float(np.hypot(x, y)), abs(toward))) * unit(np.array([x, y]))
+        polar = atan2(float(np.hypot(x, y)), abs(toward))
+        self._start = self._seen(polar) * unit(np.array([x, y]))
 
     @property
     def toward(self) -> Floats:
@@ -41,23 +43,23 @@ class Ball:
             return None
         x, y = self._start + moved * (1.0, -1.0) / self._radius
         off = float(np.hypot(x, y))
-        polar = min(_polar(off), pi / 2.0)
+        polar = min(self._polar(off), pi / 2.0)
         across = np.array([x, y]) / off if off > 0.0 else np.zeros(2)
         local = np.array([*(sin(polar) * across), self._half * cos(polar)])
         return unit(local @ self._frame)
 
+    def _seen(self, polar: float) -> float:
+        """How far from the middle, in radii, what is at an angle from head on is seen."""
+        steepest = self._steepest
+        if polar <= steepest:
+            return sin(polar)
+        return sin(steepest) + (polar - steepest) * cos(steepest)
 
-def _seen(polar: float) -> float:
-    """How far from the middle, in radii, what is at a polar angle is seen."""
-    if polar <= STEEPEST:
-        return sin(polar)
-    return sin(STEEPEST) + (polar - STEEPEST) * cos(STEEPEST)
-
-
-def _polar(seen: float) -> float:
-    if seen <= sin(STEEPEST):
-        return asin(seen)
-    return STEEPEST + (seen - sin(STEEPEST)) / cos(STEEPEST)
+    def _polar(self, seen: float) -> float:
+        steepest = self._steepest
+        if seen <= sin(steepest):
+            return asin(seen)
+        return steepest + (seen - sin(steepest)) / cos(steepest)
 
 
 def frame_at(camera: Camera, point: Floats) -> Floats:

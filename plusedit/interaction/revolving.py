@@ -11,7 +11,7 @@ from plusedit.interaction.swing import DEAD, Swing
 from plusedit.scene.camera import Camera
 from plusedit.scene.gizmo import across
 
-EDGE_ON = sin(radians(20.0))  # a ring seen flatter turns by the pointer's angle on the screen
+EDGE_ON = sin(radians(15.0))  # a ring seen flatter turns by the pointer's angle on the screen
 DEAD_IN_SPACE = 2.0 * DEAD  # a ring at a slant is crossed faster than one that is seen as a circle
 
 

@@ -1,10 +1,10 @@
 """Control lines as they stand on the screen: where the dots and grips are.
 
 Control line i is drawn as the segment P_i -+ h g_i, h the spacing of the nodes, with a grip at
-each end. On the screen it is never shorter than 24 nor longer than 160 pixels, so that it can
-always be gripped; the direction is what counts, which both ends show. Only as a line turns end on
-its grips go into the dot, and come out again on the other side. Drawing and picking read the same
-handles.
+each end. Seen from the side it is never shorter than 24 nor longer than 160 pixels, so that it can
+always be gripped; the direction is what counts, which both ends show. At a slant it is seen shorter,
+but never than 24 pixels; only as it turns end on its grips go into the dot, and come out again on
+the other side. Drawing and picking read the same handles.
 """
 
 from dataclasses import dataclass
@@ -55,15 +55,13 @@ def handles(curve: PlusCurve, camera: Camera) -> Handles:
     at = camera.to_screen(points)
     seen = foreshortening(points, ways, pixel, camera)
     is_drawn = seen > END_ON
-    shown = np.where(is_drawn, seen, 1.0)
-    length = np.linalg.norm(full, axis=1) / pixel * shown
-    shortest = SHORTEST / 2.0 * np.minimum(shown / STEEP, 1.0)
-    limit = np.clip(length, shortest, LONGEST / 2.0)
-    arms = ways * (limit * pixel / shown)[:, None]
-    arms[~is_drawn] = 0.0
+    whole = np.linalg.norm(full, axis=1) / pixel
+    length = np.clip(whole, SHORTEST / 2.0, LONGEST / 2.0)
+    length = np.maximum(length, SHORTEST / 2.0 / np.maximum(seen, STEEP))
+    arms = ways * np.where(is_drawn, length * pixel, 0.0)[:, None]
     tips = np.stack([camera.to_screen(points + arms), camera.to_screen(points - arms)])
     tips[:, ~is_drawn] = at[~is_drawn]
-    return Handles(at, tips, is_drawn, is_drawn & (limit != length), arms, full)
+    return Handles(at, tips, is_drawn, is_drawn & (length != whole), arms, full)
 
 
 def foreshortening(points: Floats, ways: Floats, pixel: Floats, camera: Camera) -> Floats:
