@@ -17,10 +17,10 @@ from PySide6.QtCore import QLockFile, QObject, QTimer
 
 from plusedit.app.errors import log
 from plusedit.app.settings import state_folder
-from plusedit.app.workers import start_worker
 from plusedit.document.design import Design
 from plusedit.document.session import Session
 from plusedit.io.formats import FormatError
+from plusedit.views.workers import start_worker
 
 AT_MOST = 30_000  # milliseconds from an edit until it is kept safe
 IDLE = 3_000  # milliseconds without an edit after which it is kept safe at once

@@ -7,7 +7,7 @@ from typing import Generic, TypeVar
 from PySide6.QtCore import QEventLoop, Qt, QTimer
 from PySide6.QtWidgets import QProgressDialog, QPushButton, QWidget
 
-from plusedit.app.workers import start_worker
+from plusedit.views.workers import start_worker
 
 T = TypeVar("T")
 

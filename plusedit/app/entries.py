@@ -236,7 +236,7 @@ def _performs(window: "MainWindow", action: EditAction) -> Callable[[], None]:
     gestures, session = window.gestures, window.session
 
     def perform() -> None:
-        window.magnitude.slider.finish()
+        window.magnitude.finish()
         before = session.committed
         gestures.perform_by(lambda: action.make(gestures.stage()))
         # The next click is meant for what was made: the pen would begin a curve upon it.

@@ -163,13 +163,13 @@ class MainWindow(QMainWindow):
 
     def undo(self) -> None:
         """One step back, once nothing is under way."""
-        self.magnitude.slider.finish()
+        self.magnitude.finish()
         if not self.gestures.cancel():
             self.session.undo()
 
     def redo(self) -> None:
         """One step on, once nothing is under way."""
-        self.magnitude.slider.finish()
+        self.magnitude.finish()
         self.gestures.cancel()
         self.session.redo()
 
@@ -284,7 +284,7 @@ class MainWindow(QMainWindow):
             open_elsewhere(path)
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        self.magnitude.slider.finish()
+        self.magnitude.finish()
         if not self.files.may_discard():
             event.ignore()
             return

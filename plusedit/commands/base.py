@@ -109,8 +109,11 @@ def counted(targets: Targets, verb: str, noun: str = "control line") -> str:
 
 def named(design: Design, targets: Targets) -> str:
     """Such as "3 control planes", or "control line and 2 control planes"."""
-    counts = {"control line": 0, "control plane": 0}
+    counts = {"control line": 0, "control plane": 0, "mesh": 0}
     for shape_id, rows in targets.items():
+        if shape_id in design and design[shape_id].mesh is not None:
+            counts["mesh"] += 1
+            continue
         is_surface = shape_id in design and design[shape_id].surface is not None
         counts["control plane" if is_surface else "control line"] += len(rows)
     return many(counts)
@@ -118,7 +121,11 @@ def named(design: Design, targets: Targets) -> str:
 
 def many(counts: Mapping[str, int]) -> str:
     """How many of each, by their names in the singular, such as "row and 2 columns"."""
-    parts = [noun if count == 1 else f"{count} {noun}s" for noun, count in counts.items() if count]
+    parts = [
+        noun if count == 1 else f"{count} {noun}{'es' if noun.endswith('sh') else 's'}"
+        for noun, count in counts.items()
+        if count
+    ]
     return " and ".join(parts) or f"0 {next(iter(counts))}s"
 
 
@@ -128,13 +135,18 @@ def of_curves(ids: Iterable[ShapeId], verb: str, noun: str = "curve") -> str:
 
 
 def kind_of(design: Design, ids: Iterable[ShapeId]) -> str:
-    """What those shapes are: "curve", "surface", or "shape" where they differ."""
+    """What those shapes are: "curve", "surface", "mesh", or "shape" where they differ."""
     kinds = {
-        "curve" if shape.curve is not None else "surface" if shape.surface is not None else "shape"
+        kind_of_shape(shape)
         for shape_id in ids
         if (shape := design.shapes.get(shape_id)) is not None
     }
     return kinds.pop() if len(kinds) == 1 else "shape"
+
+
+def kind_of_shape(shape: Shape) -> str:
+    """ "curve", "surface" or "mesh"."""
+    return "curve" if shape.curve is not None else "mesh" if shape.mesh is not None else "surface"
 
 
 def edit_shapes(

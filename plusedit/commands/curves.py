@@ -3,11 +3,13 @@
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields, replace
 
-from plusedit.commands.base import Command, edit_curves, edit_shapes, kind_of, of_curves
+from plusedit.commands.base import Command, edit_curves, edit_shapes, kind_of, many, of_curves
+from plusedit.commands.meshes import edit_meshes
 from plusedit.document.design import Design
 from plusedit.document.shape import PlusGeometry, ShapeId, Tree
 from plusedit.geometry.bases import Basis
 from plusedit.geometry.curve import PlusCurve
+from plusedit.geometry.mesh.mesh_surface import MeshSurface
 from plusedit.geometry.passing import passing_through
 from plusedit.geometry.sizes import closed_basis, ordered_basis, with_family
 from plusedit.geometry.tangency import closed_smoothly, tangent_at_ends
@@ -27,7 +29,7 @@ def rebased(design: Design, ids: Ids, change: Callable[[Basis], Basis]) -> Desig
 
 @dataclass(frozen=True, eq=False)
 class SetMagnitude(Command):
-    """Give curves and surfaces their magnitude s."""
+    """Give curves and surfaces, those of meshes too, their magnitude s."""
 
     values: Mapping[ShapeId, float]
 
@@ -39,14 +41,20 @@ class SetMagnitude(Command):
         return self._of(kind_of(design, self.values))
 
     def _of(self, noun: str) -> str:
-        return "Set s" if len(self.values) == 1 else f"Set s of {len(self.values)} {noun}s"
+        return "Set s" if len(self.values) == 1 else f"Set s of {many({noun: len(self.values)})}"
 
     def apply(self, design: Design) -> Design:
         def strong(shape_id: ShapeId, geometry: PlusGeometry) -> PlusGeometry:
             s = float(self.values[shape_id])
             return geometry if s == geometry.s else replace(geometry, s=s)
 
-        return edit_shapes(design, self.values, strong)
+        def of_mesh(shape_id: ShapeId, surface: MeshSurface) -> MeshSurface:
+            s = float(self.values[shape_id])
+            return surface if s == surface.s else surface.with_s(s)
+
+        meshes = [i for i in self.values if design[i].mesh is not None]
+        design = edit_meshes(design, meshes, of_mesh)
+        return edit_shapes(design, [i for i in self.values if i not in meshes], strong)
 
 
 @dataclass(frozen=True, eq=False)

@@ -17,6 +17,7 @@ from plusedit.commands.directions import (
     SetLength,
     Turn,
 )
+from plusedit.commands.meshes import transformed_meshes
 from plusedit.commands.rotation import Rotate
 from plusedit.commands.soft_move import SoftMove
 from plusedit.commands.transform import Transform
@@ -67,7 +68,8 @@ class MovePoints(NetCommand):
                 points[self.landing.number] = fitted(self.landing.vector, geometry.dimension)
             return net.with_control_points(points)
 
-        return edit_nets(design, self.targets, moved)
+        design, others = transformed_meshes(design, self.targets, np.eye(3), self.by)
+        return edit_nets(design, others, moved)
 
 
 @dataclass(frozen=True, eq=False)

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from plusedit.commands.base import NetCommand, edit_shapes, fitted, fitted_matrix
+from plusedit.commands.meshes import transformed_meshes
 from plusedit.commands.rotation import keeps_the_plane
 from plusedit.document.design import Design
 from plusedit.document.shape import PlusGeometry, ShapeId
@@ -45,7 +46,8 @@ class Transform(NetCommand):
                 return geometry
             return image(geometry, rows, matrix, offset)
 
-        return edit_shapes(design, self.targets, mapped)
+        design, others = transformed_meshes(design, self.targets, self.matrix, self.offset)
+        return edit_shapes(design, others, mapped)
 
 
 def image(geometry: PlusGeometry, rows: list[int], matrix: Floats, offset: Floats) -> PlusGeometry:

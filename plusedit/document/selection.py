@@ -79,13 +79,15 @@ class Selection:
         """What an edit of control lines acts on, by shape, in editable shapes only.
 
         The selected lines; where a shape is selected without any line, all lines of it.
+        A mesh, which has none, is meant as a whole.
         """
         lines = self.by_shape()
         found: dict[ShapeId, tuple[int, ...]] = {}
         for shape_id in design:
-            geometry = design[shape_id].plus
-            if shape_id in self.shapes and geometry is not None and design[shape_id].editable:
-                found[shape_id] = lines.get(shape_id, tuple(range(len(geometry.net))))
+            if shape_id in self.shapes and design[shape_id].editable:
+                geometry = design[shape_id].plus
+                count = 0 if geometry is None else len(geometry.net)
+                found[shape_id] = lines.get(shape_id, tuple(range(count)))
         return found
 
     def renumbered(self, old_numbers: Mapping[ShapeId, NDArray[np.intp]]) -> "Selection":

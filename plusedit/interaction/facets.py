@@ -13,6 +13,7 @@ from plusedit.document.design import Design
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.surface import PlusSurface
 from plusedit.interaction.hits import Hit
+from plusedit.interaction.mesh_facets import mesh_crossings
 from plusedit.interaction.tool import Stage
 from plusedit.scene.camera import Camera
 from plusedit.scene.drawn_surface import surface_grids
@@ -109,7 +110,21 @@ def surfaces_under(at: Floats, stage: Stage) -> list[Hit]:
         if stage.design[shape_id].editable
         for depth, u, v in crossings(at, facets_of(surface, stage.camera))
     ]
+    found += [
+        Hit("mesh", shape_id, crossing.face, u=crossing.u, v=crossing.v, depth=crossing.depth)
+        for shape_id, surface in stage.design.meshes()
+        if stage.design[shape_id].editable
+        for crossing in mesh_crossings(at, surface, stage.camera)
+    ]
     return sorted(found, key=lambda hit: hit.depth)
+
+
+def point_of(hit: Hit, at: Floats, camera: Camera) -> Floats:
+    """(3,) the point of the world that was hit under a pixel, as deep as it lies."""
+    origin, way = camera.ray(at)
+    first, second = camera.depths(np.stack([origin, origin + way]))
+    point: Floats = origin + (hit.depth - first) / (second - first) * way
+    return point
 
 
 def hidden(points: Floats, design: Design, camera: Camera) -> list[bool]:
@@ -119,8 +134,13 @@ def hidden(points: Floats, design: Design, camera: Camera) -> list[bool]:
         for shape_id, surface in design.surfaces()
         if design[shape_id].visible
     ]
+    meshes = [mesh for shape_id, mesh in design.meshes() if design[shape_id].visible]
     limits = camera.depths(points) - MARGIN * camera.pixel_at(points)
     return [
         any((first := crossings(at, facets)) and first[0][0] < limit for facets in surfaces)
+        or any(
+            (layers := mesh_crossings(at, mesh, camera)) and layers[0].depth < limit
+            for mesh in meshes
+        )
         for at, limit in zip(camera.to_screen(points), limits, strict=True)
     ]

@@ -14,15 +14,23 @@ from plusedit.interaction.readout import ring
 from plusedit.interaction.space_turning import tip_of
 from plusedit.interaction.tool import Stage
 from plusedit.scene.drawn import drawn
+from plusedit.scene.drawn_mesh import drawing_of
 from plusedit.scene.drawn_surface import surface_grids
 from plusedit.scene.isolines import isolines
-from plusedit.scene.items import Item, Polyline
+from plusedit.scene.items import Item, Polyline, Segments
+from plusedit.scene.mesh_shapes import mesh_silhouette
 
 WIDTH = 3.0  # pixels
 
 
 def highlight(hit: Hit, stage: Stage) -> Iterator[Item]:
     """A ring around a dot or grip, a wider line along all else."""
+    if hit.kind == "mesh":
+        drawing = drawing_of(stage.design.mesh(hit.shape), wait=False)
+        for line in mesh_silhouette(drawing, stage.camera):
+            yield Polyline(line, "hover", WIDTH)
+        yield Segments(*drawing.lines(drawing.net.boundary), "hover", WIDTH)
+        return
     geometry = stage.design.plus(hit.shape)
     if hit.kind == "dot":
         yield ring(geometry.net.control_points[[hit.number]])

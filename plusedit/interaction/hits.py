@@ -11,7 +11,7 @@ from plusedit.geometry.arrays import Floats
 
 TIE = 0.25  # pixels: what is nearer by less counts as equally near
 
-Kind = Literal["dot", "grip", "curve", "surface", "edge", "arrow", "ring"]
+Kind = Literal["dot", "grip", "curve", "surface", "mesh", "edge", "arrow", "ring"]
 
 
 @dataclass(frozen=True)
@@ -21,8 +21,8 @@ class Hit:
     kind: Kind
     shape: ShapeId
     number: int = -1
-    """of the control line or plane; of an edge of a net that of the plane where it begins; else -1
-    """
+    """of the control line or plane; of an edge of a net that of the plane where it begins; of the
+    surface of a mesh the face; else -1"""
     side: int = 0
     """of a grip: 1 where the direction of a line points, -1 opposite; 1 by u and 2 by v on a plane
     """

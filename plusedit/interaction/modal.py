@@ -119,7 +119,7 @@ def chosen(stage: Stage) -> Targets:
 def single(targets: Targets) -> LineId | None:
     """The line, where the targets are one line alone."""
     lines = [LineId(shape_id, row) for shape_id, rows in targets.items() for row in rows]
-    return lines[0] if len(lines) == 1 else None
+    return lines[0] if len(lines) == len(targets) == 1 else None
 
 
 def _ratio(center: Floats, start: Floats, now: Floats) -> float:

@@ -140,9 +140,11 @@ def anchor_of(design: Design, targets: Targets, grabbed: LineId | None) -> Float
 
 
 def centroid(design: Design, targets: Targets) -> Floats:
-    """(3,) the mean of the control points."""
+    """(3,) the mean of the control points, and of the vertices of meshes."""
     rows = [
         in_space(design.plus(shape_id).net.control_points[list(numbers)])
+        if (mesh := design[shape_id].mesh) is None
+        else mesh.mesh.vertices
         for shape_id, numbers in targets.items()
     ]
     mean: Floats = np.concatenate(rows).mean(axis=0)
@@ -151,7 +153,8 @@ def centroid(design: Design, targets: Targets) -> Floats:
 
 def is_flat(stage: Stage, shapes: Iterable[ShapeId]) -> bool:
     """Whether all of the shapes are plane curves, which stay in z = 0."""
-    return all(stage.design.plus(shape_id).dimension == 2 for shape_id in shapes)
+    found = [stage.design[shape_id].plus for shape_id in shapes]
+    return all(geometry is not None and geometry.dimension == 2 for geometry in found)
 
 
 def snaps(now: Pointer, stage: Stage) -> bool:

@@ -11,10 +11,13 @@ from plusedit.document.design import Design
 from plusedit.document.shape import PlusGeometry, ShapeId
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.curve import PlusCurve
+from plusedit.geometry.mesh.mesh_surface import MeshSurface
 from plusedit.scene.camera import Camera
 from plusedit.scene.drawn import drawn
+from plusedit.scene.drawn_mesh import drawing_of
 from plusedit.scene.drawn_surface import surface_grids
 from plusedit.scene.isolines import isolines
+from plusedit.scene.mesh_shapes import mesh_silhouette
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,6 +53,14 @@ def outlines_of(design: Design, camera: Camera) -> Outlines:
                 parameters.append(np.stack([u[:-1], u[1:]], axis=1))
                 owners.append(np.full(len(u) - 1, len(shapes)))
             shapes.append(shape_id)
+    for shape_id, surface in design.meshes():
+        if design[shape_id].editable:
+            first, last = _mesh_segments(surface, camera)
+            starts.append(first)
+            ends.append(last)
+            parameters.append(np.zeros((len(first), 2)))
+            owners.append(np.full(len(first), len(shapes)))
+            shapes.append(shape_id)
     return Outlines(
         np.concatenate(starts),
         np.concatenate(ends),
@@ -68,3 +79,12 @@ def _polylines(geometry: PlusGeometry, camera: Camera) -> Iterator[tuple[Floats,
     lines = isolines(geometry, surface_grids(geometry, camera))
     for points in (*lines.along_u, *lines.along_v, *lines.edges):
         yield np.zeros(len(points)), camera.to_screen(points)
+
+
+def _mesh_segments(surface: MeshSurface, camera: Camera) -> tuple[Floats, Floats]:
+    """Pixels (k, 2) and (k, 2) between which the outline of the surface of a mesh runs."""
+    drawing = drawing_of(surface, wait=False)
+    lines = [camera.to_screen(points) for points in mesh_silhouette(drawing, camera)]
+    first, last = (camera.to_screen(ends) for ends in drawing.lines(drawing.net.boundary))
+    starts, ends = [first, *(line[:-1] for line in lines)], [last, *(line[1:] for line in lines)]
+    return np.concatenate(starts), np.concatenate(ends)

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from plusedit.document.selection import LineId, Selection
+from plusedit.document.shape import Shape
 from plusedit.geometry.arrays import Floats
 from plusedit.interaction.facets import hidden, surfaces_under
 from plusedit.interaction.gizmo_picking import gizmo_under
@@ -106,8 +107,9 @@ def lines_under(at: Floats, stage: Stage, reach: float = REACH) -> list[Hit]:
             first, last = outlines.parameters[row]
             u = float(first + along[place] * (last - first))
             shape_id = outlines.shapes[owner]
-            kind: Kind = "curve" if stage.design[shape_id].surface is None else "surface"
-            nearest[owner] = Hit(kind, shape_id, u=u, distance=float(distances[place]))
+            nearest[owner] = Hit(
+                _kind_of(stage.design[shape_id]), shape_id, u=u, distance=float(distances[place])
+            )
     front = {shape_id: -place for place, shape_id in enumerate(outlines.shapes)}
     return sorted(nearest.values(), key=lambda hit: (round(hit.distance / TIE), front[hit.shape]))
 
@@ -127,7 +129,11 @@ def shapes_under(at: Floats, stage: Stage, reach: float = REACH) -> list[Hit]:
     covered = [_is_hidden(hit, stage) for hit in curves]
     seen = [hit for hit, is_covered in zip(curves, covered, strict=True) if not is_covered]
     unseen = [hit for hit, is_covered in zip(curves, covered, strict=True) if is_covered]
-    return seen + inside + unseen + [hit for hit in lines if hit.kind == "surface"]
+    return seen + inside + unseen + [hit for hit in lines if hit.kind != "curve"]
+
+
+def _kind_of(shape: Shape) -> Kind:
+    return "curve" if shape.curve is not None else "mesh" if shape.mesh is not None else "surface"
 
 
 def _is_hidden(hit: Hit, stage: Stage) -> bool:

@@ -11,7 +11,7 @@ from plusedit.scene.camera import PlaneCamera
 from plusedit.scene.items import Item, Label, Markers, Polygon, Polyline, Segments
 from plusedit.scene.options import ViewOptions
 from plusedit.scene.scene import scene_items
-from plusedit.scene.shapes import shown_shapes
+from plusedit.scene.shapes import shown_meshes, shown_shapes
 
 MARGIN = 32.0  # pixels around what is framed
 ROUNDS = 3  # handles and names keep their size in pixels: zooming in needs room for them again
@@ -37,7 +37,7 @@ def framed(
         return camera
     camera = camera.framing(camera.placed(points), margin)
     for _ in range(ROUNDS):
-        items = scene_items(design, camera, options, only=chosen)
+        items = scene_items(design, camera, options, only=chosen, wait=False)
         extent = [points, *(seen for item in items for seen in _extent(item, camera))]
         before, camera = camera, camera.framing(camera.placed(np.concatenate(extent)), margin)
         if abs(camera.scale - before.scale) <= SETTLED * before.scale:
@@ -49,6 +49,7 @@ def _control_points(design: Design, camera: PlaneCamera, only: frozenset[ShapeId
     rows = [
         camera.plane(geometry.net.control_points) for _, _, geometry in shown_shapes(design, only)
     ]
+    rows += [camera.plane(surface.mesh.vertices) for _, _, surface in shown_meshes(design, only)]
     return np.concatenate(rows) if rows else np.zeros((0, 2))
 
 

@@ -4,7 +4,6 @@ This is the one place that says how a design looks; windows, pictures and SVG fi
 comes from here.
 """
 
-from collections import Counter
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 from itertools import chain
@@ -13,18 +12,21 @@ import numpy as np
 
 from plusedit.document.design import Design
 from plusedit.document.selection import NOTHING_SELECTED, Selection
-from plusedit.document.shape import NotDrawn, PlusGeometry, Shape, ShapeId
+from plusedit.document.shape import PlusGeometry, Shape, ShapeId
 from plusedit.geometry.curve import PlusCurve
 from plusedit.scene.arrows import direction_arrow
 from plusedit.scene.camera import PlaneCamera
 from plusedit.scene.drawn_surface import surface_grids
 from plusedit.scene.items import Item
+from plusedit.scene.mesh_shapes import mesh_items_in_plane
 from plusedit.scene.options import ViewOptions
 from plusedit.scene.shapes import (
     curve_items,
     handle_items,
     is_finite,
+    mesh_overlay_items,
     overlay_items,
+    shown_meshes,
     shown_shapes,
     surface_line_items,
 )
@@ -50,22 +52,34 @@ def scene_items(
     *,
     only: Collection[ShapeId] | None = None,
     glow: bool = True,
+    wait: bool = True,
 ) -> Layers:
     """How `design` looks; with `only`, how those shapes of it do.
 
-    `glow` is the halo of selected shapes, which takes longer than all else of a curve. What is
-    too large to be calculated with is left out.
+    `glow` is the halo of selected shapes, which takes longer than all else of a curve. Without
+    `wait` surfaces of meshes are as they are known by now. What is too large to be calculated with
+    is left out.
     """
-    shown = shown_shapes(design, only)
-    overlays = overlay_items(shown, camera, options)
+    shown, meshes = shown_shapes(design, only), shown_meshes(design, only)
+    overlays = chain(
+        overlay_items(shown, camera, options), mesh_overlay_items(meshes, camera, options)
+    )
     shapes = (
         item
         for shape_id, shape, geometry in shown
         for item in _shape(shape, geometry, camera, options, shape_id in selection.shapes, glow)
     )
+    of_meshes = (
+        item
+        for shape_id, shape, surface in meshes
+        for item in mesh_items_in_plane(
+            shape, surface, camera, options, selected=shape_id in selection.shapes, wait=wait
+        )
+    )
     handles = handle_items(design, camera, options, selection, only)
+    layers = (overlays, chain(of_meshes, shapes), handles)
     with np.errstate(all="ignore"):
-        return Layers(*(tuple(filter(is_finite, layer)) for layer in (overlays, shapes, handles)))
+        return Layers(*(tuple(filter(is_finite, layer)) for layer in layers))
 
 
 def _shape(
@@ -91,21 +105,3 @@ def _shape(
         inner=options.isolines,
         glow=glow,
     )
-
-
-def left_out(design: Design) -> str:
-    """What the design has that can't be drawn yet, in a sentence; empty if nothing."""
-    kinds = Counter(
-        shape.geometry.kind
-        for shape in design.shapes.values()
-        if isinstance(shape.geometry, NotDrawn)
-    )
-    if not kinds:
-        return ""
-    counted = [f"{n} {_plural(kind) if n > 1 else kind}" for kind, n in sorted(kinds.items())]
-    verb = "is" if sum(kinds.values()) == 1 else "are"
-    return f"{' and '.join(counted)} {verb} kept but not drawn yet"
-
-
-def _plural(kind: str) -> str:
-    return f"{kind}es" if kind.endswith("sh") else f"{kind}s"

@@ -9,6 +9,7 @@ from plusedit.document.design import Design
 from plusedit.document.selection import Selection
 from plusedit.document.shape import PlusGeometry, Shape, ShapeId
 from plusedit.geometry.curve import PlusCurve
+from plusedit.geometry.mesh.mesh_surface import MeshSurface
 from plusedit.geometry.surface import PlusSurface
 from plusedit.scene.camera import Camera
 from plusedit.scene.control_lines import control_line_items
@@ -32,6 +33,7 @@ FAINT = "@25"  # lines on them
 
 
 Shown: TypeAlias = tuple[ShapeId, Shape, PlusGeometry]
+ShownMesh: TypeAlias = tuple[ShapeId, Shape, MeshSurface]
 
 
 def shown_shapes(design: Design, only: Collection[ShapeId] | None = None) -> list[Shown]:
@@ -45,12 +47,31 @@ def shown_shapes(design: Design, only: Collection[ShapeId] | None = None) -> lis
     ]
 
 
+def shown_meshes(design: Design, only: Collection[ShapeId] | None = None) -> list[ShownMesh]:
+    """The surfaces of meshes that are seen, back to front; with `only`, those of them."""
+    return [
+        (shape_id, design[shape_id], surface)
+        for shape_id, surface in design.meshes()
+        if design[shape_id].visible and (only is None or shape_id in only)
+    ]
+
+
 def overlay_items(shown: list[Shown], camera: Camera, options: ViewOptions) -> Iterator[Item]:
     """What the overlays that are switched on draw about those shapes."""
     for entry in in_order():
         if entry.name in options.overlays:
             for _, shape, geometry in shown:
                 yield from entry.draw(shape, geometry, camera)
+
+
+def mesh_overlay_items(
+    shown: list[ShownMesh], camera: Camera, options: ViewOptions
+) -> Iterator[Item]:
+    """The same about those surfaces of meshes."""
+    for entry in in_order():
+        if entry.name in options.overlays:
+            for _, shape, surface in shown:
+                yield from entry.draw(shape, surface, camera)
 
 
 def curve_items(

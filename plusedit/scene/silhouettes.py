@@ -61,7 +61,7 @@ def silhouette(surface: PlusSurface, camera: Camera, grids: Grids) -> Lines:
         sampled = _sampled(surface, grids)
         lines = tuple(_contours(sampled.points, _facing(sampled, camera)))
         if isinstance(camera, SpaceCamera):
-            lines = tuple(_lifted(points, camera) for points in lines)
+            lines = tuple(lifted(points, camera) for points in lines)
         seen = _SEEN[surface] = key, lines
     return seen[1]
 
@@ -71,7 +71,7 @@ def _direction(camera: Camera) -> Hashable:
     return camera.projection if isinstance(camera, PlaneCamera) else camera
 
 
-def _lifted(points: Floats, camera: SpaceCamera) -> Floats:
+def lifted(points: Floats, camera: SpaceCamera) -> Floats:
     """The points moved toward the eye, each along the ray on which it is seen."""
     if camera.perspective:
         ways = camera.eye - points
@@ -120,14 +120,23 @@ def _contours(points: Singles, values: Singles) -> Iterator[Floats]:
     cells = np.argwhere((corners > 0) & (corners < 4))
     # (k, 3) numbers of the corners of all triangles of those cells
     triangles = (cells[:, None, None] + TRIANGLES) @ np.array([values.shape[1], 1])
-    starts = triangles.reshape(-1, 3)
+    return zero_lines(points.reshape(-1, 3), triangles.reshape(-1, 3), values.ravel())
+
+
+def zero_lines(
+    points: Floats | Singles, triangles: NDArray[np.integer], values: Floats | Singles
+) -> Iterator[Floats]:
+    """Lines (m, 3) where values (n,) at points (n, 3) are zero, straight within triangles (k, 3).
+
+    They run on from one triangle to the next; none are drawn twice.
+    """
+    starts = triangles.astype(np.int64)
     ends = np.roll(starts, -1, axis=1)
-    value = values.ravel().astype(np.float64)
+    value = values.astype(np.float64)
     crosses = (value[starts] > 0.0) != (value[ends] > 0.0)
     starts, ends = starts[crosses], ends[crosses]
     share = (value[starts] / (value[starts] - value[ends]))[:, None]
-    flat = points.reshape(-1, 3)
-    places = (1.0 - share) * flat[starts] + share * flat[ends]
+    places = (1.0 - share) * points[starts] + share * points[ends]
     sides = np.minimum(starts, ends) * value.size + np.maximum(starts, ends)
     for run in _runs(sides):
         yield places[run]

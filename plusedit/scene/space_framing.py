@@ -13,7 +13,7 @@ from plusedit.scene.drawn import drawn
 from plusedit.scene.drawn_surface import coarse_points
 from plusedit.scene.items import Item, Label, Markers, Mesh, Patch, Polygon, Polyline, Segments
 from plusedit.scene.options import ViewOptions
-from plusedit.scene.shapes import handle_items, overlay_items, shown_shapes
+from plusedit.scene.shapes import handle_items, overlay_items, shown_meshes, shown_shapes
 from plusedit.scene.space_camera import SpaceCamera
 
 MARGIN = 32.0  # pixels around what is framed
@@ -36,6 +36,7 @@ def framed_in_space(
     chosen = None if only is None else frozenset(only)
     shown = shown_shapes(design, chosen)
     points = [_in_space(geometry.net.control_points) for _, _, geometry in shown]
+    points += [surface.mesh.vertices for _, _, surface in shown_meshes(design, chosen)]
     if not points:
         return camera
     camera = camera.framing(np.concatenate(points), margin)

@@ -21,20 +21,22 @@ from plusedit.scene.arrows import direction_arrow
 from plusedit.scene.drawn_surface import Grids, surface_grids
 from plusedit.scene.gizmo import gizmo_items, gizmo_of
 from plusedit.scene.items import Item, Label, Mesh, Patch, Polygon
+from plusedit.scene.mesh_shapes import darker, mesh_items_in_space
 from plusedit.scene.options import ViewOptions
 from plusedit.scene.shapes import (
     DIM,
     curve_items,
     handle_items,
     is_finite,
+    mesh_overlay_items,
     overlay_items,
+    shown_meshes,
     shown_shapes,
     surface_line_items,
 )
 from plusedit.scene.space_camera import SpaceCamera
 
 WIRE = "line@30"
-BACK = 0.72  # of the brightness of a surface's own color
 
 Solid: TypeAlias = Patch | Mesh
 Area: TypeAlias = Patch | Mesh | Polygon
@@ -67,11 +69,13 @@ def space_items(
     selection: Selection = NOTHING_SELECTED,
     *,
     draft: bool = False,
+    wait: bool = True,
     only: Collection[ShapeId] | None = None,
 ) -> SpaceLayers:
     """How `design` looks in space; with `only`, how those shapes of it do.
 
-    With `draft` surfaces are coarser. What is too large to be calculated with is left out.
+    With `draft` surfaces are coarser; without `wait` those of meshes are as they are known by now.
+    What is too large to be calculated with is left out.
     """
     shown = shown_shapes(design, only)
     solids: list[Solid] = []
@@ -79,7 +83,10 @@ def space_items(
     lines: list[Item] = []
     labels: list[Item] = []
     with np.errstate(all="ignore"):
-        overlays = overlay_items(shown, camera, options)
+        overlays = chain(
+            overlay_items(shown, camera, options),
+            mesh_overlay_items(shown_meshes(design, only), camera, options),
+        )
         shapes = (
             item
             for shape_id, shape, geometry in shown
@@ -87,9 +94,22 @@ def space_items(
                 shape, geometry, camera, options, shape_id in selection.shapes, draft
             )
         )
-        for item in filter(is_finite, chain(overlays, shapes)):
+        meshes = (
+            item
+            for shape_id, shape, surface in shown_meshes(design, only)
+            for item in mesh_items_in_space(
+                shape,
+                surface,
+                camera,
+                options,
+                selected=shape_id in selection.shapes,
+                draft=draft,
+                wait=wait,
+            )
+        )
+        for item in filter(is_finite, chain(overlays, shapes, meshes)):
             match item:
-                case Patch() if is_opaque(item):
+                case Patch() | Mesh() if is_opaque(item):
                     solids.append(item)
                 case Patch() | Mesh() | Polygon():
                     glass.append(item)
@@ -133,19 +153,13 @@ _PATCHES: "WeakValueDictionary[tuple[object, ...], Patch]" = WeakValueDictionary
 def _patch(shape: Shape, surface: PlusSurface, grids: Grids, options: ViewOptions) -> Patch:
     """The surface shaded, the same item as before while it is to look the same."""
     own, dim = shape.style.color, DIM if shape.locked else ""
-    front, back = (own, _darker(own)) if own else ("front", "back")
+    front, back = (own, darker(own)) if own else ("front", "back")
     wire = WIRE if options.wire else None
     key = (surface, *grids, front + dim, back + dim, wire)
     kept = _PATCHES.get(key)
     if kept is None:
         kept = _PATCHES[key] = Patch(surface, *grids, front + dim, back + dim, wire)
     return kept
-
-
-def _darker(color: str) -> str:
-    """The back of a surface that has a color of its own."""
-    parts = (int(color[i : i + 2], 16) for i in (1, 3, 5))
-    return "#" + "".join(f"{round(BACK * part):02X}" for part in parts)
 
 
 def _handles(

@@ -42,6 +42,7 @@ HINTS = {
     "curve": "Drag to move the shape · click selects, Shift adds · double-click: all its lines",
     "surface": "Drag to move the shape · click selects, Shift adds · "
     "double-click: all its planes, or the row or column of a net edge",
+    "mesh": "Drag to move the shape · click selects, Shift adds",
     "arrow": "Drag to move along this axis · Ctrl snaps to the grid · type a distance",
     "ring": "Drag to turn the plane about this axis · Ctrl snaps to 15° · Shift is slow · "
     "type degrees",
@@ -103,7 +104,7 @@ class Select:
         if hit is not None and hit.kind == "grip":
             side = side_of(stage.design.plus(hit.shape), hit.side)
             return ResetDirections({hit.shape: (hit.number,)}, side)
-        if hit is not None and hit.kind in ("dot", "arrow", "ring"):
+        if hit is not None and hit.kind in ("dot", "arrow", "ring", "mesh"):
             return None
         edge = edge_under(at.at, stage) if hit is None or hit.kind == "surface" else None
         if edge is not None:
@@ -180,11 +181,9 @@ def _shape_drag(hit: Hit, start: Pointer, stage: Stage) -> Drag:
     """Move whole shapes: all that are selected if this one is among them, else this one."""
     among = hit.shape in stage.selection.shapes
     selection = stage.selection if among else Selection.of_shapes([hit.shape])
-    targets: Targets = {
-        shape_id: tuple(range(len(geometry.net)))
-        for shape_id in selection.shapes
-        if (geometry := stage.design[shape_id].plus) is not None and stage.design[shape_id].editable
-    }
+    targets = Selection.of_shapes(selection.shapes).targets(stage.design)
+    if stage.design[hit.shape].mesh is not None:
+        return move_drag(start, stage, targets, None, selection)
     points = stage.camera.to_screen(stage.design.plus(hit.shape).net.control_points)
     nearest = int(np.hypot(*(points - start.at).T).argmin())
     return move_drag(start, stage, targets, LineId(hit.shape, nearest), selection)

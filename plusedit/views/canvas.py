@@ -14,10 +14,9 @@ from plusedit.interaction.gesture import Gestures
 from plusedit.interaction.tool import Pointer
 from plusedit.scene.camera import PlaneCamera
 from plusedit.scene.framing import framed
-from plusedit.scene.scene import left_out
 from plusedit.views.editing import MARGIN, Editing
 from plusedit.views.ground import RULER, paint_marks
-from plusedit.views.notices import paint_empty, paint_note, paint_readout
+from plusedit.views.notices import paint_empty, paint_readout
 from plusedit.views.painter import ItemPainter, painting
 from plusedit.views.plane_view import PlaneView
 from plusedit.views.strata import Look, Strata, beside_rulers
@@ -59,11 +58,8 @@ class PlaneCanvas(Editing[PlaneCamera], PlaneView):
 
     def _paint_words(self, painter: QPainter, view: QRectF) -> None:
         design = self._session.design
-        note = left_out(design)
         if not len(design) and not self._feedback.items:
             paint_empty(painter, view, self._theme)
-        if note:
-            paint_note(painter, view, note, self._theme)
         if self._pointer is not None:
             at = QPointF(self._pointer.x, self._pointer.y)
             if self._feedback.readout:
@@ -71,6 +67,10 @@ class PlaneCanvas(Editing[PlaneCamera], PlaneView):
             if self._options.rulers:
                 painter.setClipping(False)
                 paint_marks(painter, at.x(), at.y(), self._theme)
+
+    def redraw(self) -> None:
+        self._strata.forget()
+        super().redraw()
 
     @property
     def _is_slow(self) -> bool:

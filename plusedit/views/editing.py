@@ -103,6 +103,10 @@ class Editing(Wayfinding[C]):
         """See the selected shapes, or the whole design if there are none."""
         self._frame(self._session.selection.shapes or None)
 
+    def redraw(self) -> None:
+        """Draw the same design anew: more of it is known."""
+        self.update()
+
     def may_navigate(self) -> bool:
         return not self._gestures.is_busy
 

@@ -1,4 +1,7 @@
-"""A slider for s / L from 0 to 2, with marks at the classical curve and at the best s."""
+"""Sliders with marks: of s / L from 0 to 2, of s of meshes, and of their smoothness."""
+
+from dataclasses import dataclass
+from math import exp, log
 
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import (
@@ -15,7 +18,6 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from plusedit.scene.theme import LIGHT, Theme
 
-TOP = 2.0  # s / L at the right end
 STEP = 0.01  # of L, for a key or a notch of the wheel
 PAUSE = 400  # milliseconds after the last notch or key before the edit is one step
 HEIGHT = 42  # logical pixels
@@ -33,6 +35,74 @@ KEYS = {
 }
 
 
+@dataclass(frozen=True)
+class Scale:
+    """What a slider runs over."""
+
+    name: str
+    tip: str
+    high: float
+    low: float = 0.0
+    usual: float = 0.5
+    """where keys begin from where there is no value"""
+    marks: tuple[tuple[float, str], ...] = ()
+    special: tuple[tuple[float, str], ...] = ()
+    """marks that stand out, and that the knob sticks to"""
+    step: float = STEP
+    """for a key or a notch of the wheel; of the logarithm where the scale is logarithmic"""
+    is_logarithmic: bool = False
+
+    def share(self, value: float) -> float:
+        """How far from left to right a value lies, from 0 to 1."""
+        if self.is_logarithmic:
+            return log(min(self.high, max(self.low, value)) / self.low) / log(self.high / self.low)
+        return (min(self.high, max(self.low, value)) - self.low) / (self.high - self.low)
+
+    def value(self, share: float) -> float:
+        """The value that lies so far from left to right."""
+        share = min(1.0, max(0.0, share))
+        if self.is_logarithmic:
+            return self.low * exp(share * log(self.high / self.low))
+        return self.low + (self.high - self.low) * share
+
+    def stepped(self, value: float, steps: int) -> float:
+        """The value some steps on; without end where the scale is linear."""
+        if not self.is_logarithmic:
+            return round(value + self.step * steps, 10)
+        return min(self.high, max(self.low, value * exp(self.step * steps)))
+
+
+OF_LENGTH = Scale(
+    "s / L",
+    "How strongly the control lines pull: s in units of L, the length of the control "
+    "polygon.\nDouble-click: back to L / 2. Keys − and + or the wheel: 1 % of L.",
+    2.0,
+    marks=((0.5, "½ L"), (1.0, "L"), (1.5, "1½ L"), (2.0, "2 L")),
+    special=((0.0, "classical"),),
+)
+OF_MESHES = Scale(
+    "s",
+    "How much of the planes of the faces is used: 0 their points alone, 1 the planes as they "
+    "are.\nDouble-click: back to 1. Keys − and + or the wheel: 0.01.",
+    1.5,
+    usual=1.0,
+    marks=((0.5, "½"), (1.5, "1½")),
+    special=((0.0, "points alone"), (1.0, "the faces' planes")),
+)
+OF_SMOOTHNESS = Scale(
+    "S",
+    "Smoothness: how much detail is left, in radii of the faces.\n"
+    "Double-click: back to 0.7. Keys − and + or the wheel: 2 %.",
+    16.0,
+    low=0.25,
+    usual=0.7,
+    marks=((0.25, "¼"), (0.5, "½"), (1.0, "1"), (2.0, "2"), (4.0, "4"), (8.0, "8"), (16.0, "16")),
+    special=((0.7, "0.7"),),
+    step=0.02,
+    is_logarithmic=True,
+)
+
+
 class MagnitudeSlider(QWidget):
     """Emits `moved` while it is dragged and `settled` once when it is let go."""
 
@@ -42,15 +112,11 @@ class MagnitudeSlider(QWidget):
     """the drag was broken off: everything as before"""
     reset_asked = Signal()
 
-    def __init__(self) -> None:
+    def __init__(self, scale: Scale = OF_LENGTH) -> None:
         super().__init__()
-        self.setAccessibleName("s / L")
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        self.setToolTip(
-            "How strongly the control lines pull: s in units of L, the length of the control "
-            "polygon.\nDouble-click: back to L / 2. Keys − and + or the wheel: 1 % of L."
-        )
+        self.set_scale(scale)
         self.theme: Theme = LIGHT
         self.ratio: float | None = 0.5
         """None where the shapes differ, or there are none"""
@@ -72,6 +138,13 @@ class MagnitudeSlider(QWidget):
 
     def minimumSizeHint(self) -> QSize:
         return QSize(160, HEIGHT)
+
+    def set_scale(self, scale: Scale) -> None:
+        """Run over that from now on."""
+        self.scale = scale
+        self.setAccessibleName(scale.name)
+        self.setToolTip(scale.tip)
+        self.update()
 
     def show_ratio(self, ratio: float | None, best: float | None) -> None:
         """Stand at `ratio` with a mark at `best`."""
@@ -129,7 +202,7 @@ class MagnitudeSlider(QWidget):
         if key == Qt.Key.Key_Escape:
             self.drop()
         elif key == Qt.Key.Key_Home:
-            self.moved.emit(0.0)
+            self.moved.emit(self.scale.low)
             self._pause.start()
         elif steps := KEYS.get(key):
             self._step(steps)
@@ -138,14 +211,14 @@ class MagnitudeSlider(QWidget):
 
     def _step(self, steps: int) -> None:
         if self.isEnabled() and not self._is_held:
-            start = self.ratio if self.ratio is not None else 0.5
-            self.moved.emit(round(start + STEP * steps, 10))
+            start = self.ratio if self.ratio is not None else self.scale.usual
+            self.moved.emit(self.scale.stepped(start, steps))
             self._pause.start()
 
     def _drag(self, x: float, *, snapped: bool) -> None:
         left, width = self._track()
-        ratio = min(TOP, max(0.0, TOP * (x - left) / width))
-        marks = [0.0] if self.best is None else [0.0, self.best]
+        ratio = self.scale.value((x - left) / width)
+        marks = [mark for mark, _ in self._special()]
         near = [mark for mark in marks if abs(self._x(mark) - x) <= 4.0]
         self.moved.emit(near[0] if snapped and near else round(ratio, 4))
 
@@ -155,7 +228,11 @@ class MagnitudeSlider(QWidget):
 
     def _x(self, ratio: float) -> float:
         left, width = self._track()
-        return left + width * min(TOP, max(0.0, ratio)) / TOP
+        return left + width * self.scale.share(ratio)
+
+    def _special(self) -> list[tuple[float, str]]:
+        best = [] if self.best is None else [(self.best, "s*")]
+        return [*self.scale.special, *best]
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
@@ -182,11 +259,11 @@ class MagnitudeSlider(QWidget):
         painter.setFont(font)
         quiet = QColor(self.theme.color("quiet"))
         taken: list[QRectF] = []
-        marks = [(0.0, "classical"), *([] if self.best is None else [(self.best, "s*")])]
-        for ratio, text in [*marks, (0.5, "½ L"), (1.0, "L"), (1.5, "1½ L"), (2.0, "2 L")]:
-            if ratio > TOP or ratio < 0.0:
+        special = self._special()
+        for ratio, text in [*special, *self.scale.marks]:
+            if not self.scale.low <= ratio <= self.scale.high:
                 continue
-            x, is_special = self._x(ratio), text in ("classical", "s*")
+            x, is_special = self._x(ratio), (ratio, text) in special
             painter.setPen(QPen(QColor(self.theme.color("accent")) if is_special else quiet, 1.5))
             if is_special:
                 painter.drawLine(QPointF(x, y + 5), QPointF(x, y + 10))

@@ -21,6 +21,7 @@ from plusedit.scene.space_camera import SpaceCamera
 from plusedit.scene.theme import LIGHT, Theme
 from plusedit.views.canvas import PlaneCanvas
 from plusedit.views.hands import Hands
+from plusedit.views.mesh_evaluation import MeshEvaluation
 
 if TYPE_CHECKING:
     from plusedit.views.space_canvas import SpaceCanvas
@@ -54,6 +55,8 @@ class Panes(QSplitter):
         """None until it is first shown, and where there is no OpenGL"""
         self._missing: QWidget | None = None
         self.hands = Hands(self.plane.gestures)
+        self.meshes = MeshEvaluation(session, self)
+        self.meshes.ready.listen(self._redraw)
         self.setChildrenCollapsible(False)
         self.setHandleWidth(5)
         self._take_in(self.plane)
@@ -186,6 +189,10 @@ class Panes(QSplitter):
             self._look_by(self.space, self._camera_at_first)
         self._take_in(self.space)
         self.space.pointer_moved.connect(self._moved_in_space)
+
+    def _redraw(self) -> None:
+        for canvas in self.canvases:
+            canvas.redraw()
 
     def _take_in(self, canvas: "Canvas") -> None:
         self.addWidget(canvas)

@@ -14,11 +14,10 @@ from plusedit.document.session import Session
 from plusedit.document.shape import ShapeId
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.row_products import load_kernels_in_background
-from plusedit.interaction.facets import surfaces_under
+from plusedit.interaction.facets import point_of, surfaces_under
 from plusedit.interaction.gesture import Gestures
 from plusedit.interaction.picking import under
 from plusedit.interaction.tool import Pointer
-from plusedit.scene.scene import left_out
 from plusedit.scene.space_camera import SpaceCamera
 from plusedit.scene.space_framing import framed_in_space
 from plusedit.scene.space_scene import SpaceLayers, space_items
@@ -83,6 +82,7 @@ class SpaceCanvas(Editing[SpaceCamera], SpaceView):
             self._options,
             self._session.selection,
             draft=is_draft,
+            wait=False,
         )
         try:
             self._draw_layers(is_draft)
@@ -143,7 +143,7 @@ class SpaceCanvas(Editing[SpaceCamera], SpaceView):
             self._layers.labels,
             self._feedback,
             self._pointer,
-            self._problem or left_out(design),
+            self._problem,
             is_empty=not len(design) and not self._feedback.items,
         )
 
@@ -167,6 +167,8 @@ class SpaceCanvas(Editing[SpaceCamera], SpaceView):
     def _on_surface(self, at: QPointF) -> Floats | None:
         stage = self._gestures.stage()
         for hit in surfaces_under(np.array([at.x(), at.y()]), stage):
+            if hit.kind == "mesh":
+                return point_of(hit, np.array([at.x(), at.y()]), self.camera)
             surface = stage.design.surface(hit.shape)
             found: Floats = surface.derivatives_at([[hit.u, hit.v]], highest=0)[0][0]
             return found
@@ -199,7 +201,7 @@ class SpaceCanvas(Editing[SpaceCamera], SpaceView):
     def _is_free(self, event: QMouseEvent) -> bool:
         """Whether nothing lies there that Alt means something else for."""
         hit = under(pointer_of(event).at, self._gestures.stage())
-        return hit is None or hit.kind == "surface"
+        return hit is None or hit.kind in ("surface", "mesh")
 
     def _follow(self, hold: str, by: QPointF, event: QMouseEvent) -> None:
         super()._follow("orbit" if hold in ("axes", "turn") else hold, by, event)

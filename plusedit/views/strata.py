@@ -173,6 +173,12 @@ def _paint_shapes(
     glow: bool = True,
 ) -> None:
     items = scene_items(
-        design, look.camera, look.options, look.selection, only=frozenset(shapes), glow=glow
+        design,
+        look.camera,
+        look.options,
+        look.selection,
+        only=frozenset(shapes),
+        glow=glow,
+        wait=False,
     )
     ItemPainter(painter, look.camera, look.theme, look.draft).paint(items)

@@ -301,7 +301,7 @@ def test_the_collector_rests_until_the_window_has_seen_the_last_worker_end(qtbot
     import gc
     from threading import Event
 
-    from plusedit.app.workers import start_worker
+    from plusedit.views.workers import start_worker
 
     go = Event()
     first, second = start_worker(go.wait, "first"), start_worker(lambda: None, "second")

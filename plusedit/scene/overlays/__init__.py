@@ -19,16 +19,18 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
 
-from plusedit.document.shape import PlusGeometry, Shape
+from plusedit.document.shape import Geometry, Shape
 from plusedit.geometry.curve import PlusCurve
+from plusedit.geometry.mesh.mesh_surface import MeshSurface
 from plusedit.geometry.surface import PlusSurface
 from plusedit.registry import Registry
 from plusedit.scene.camera import Camera
 from plusedit.scene.items import Item
 
-Taken: TypeAlias = Literal["curve", "surface"]
+Taken: TypeAlias = Literal["curve", "surface", "mesh"]
 DrawCurve: TypeAlias = Callable[[Shape, PlusCurve, Camera], Iterable[Item]]
 DrawSurface: TypeAlias = Callable[[Shape, PlusSurface, Camera], Iterable[Item]]
+DrawMesh: TypeAlias = Callable[[Shape, MeshSurface, Camera], Iterable[Item]]
 
 
 @dataclass
@@ -44,17 +46,24 @@ class Overlay:
     """such as "Shift+H", or nothing"""
     _of_curves: DrawCurve | None = field(default=None, init=False, repr=False)
     _of_surfaces: DrawSurface | None = field(default=None, init=False, repr=False)
+    _of_meshes: DrawMesh | None = field(default=None, init=False, repr=False)
 
     @property
     def takes(self) -> frozenset[Taken]:
         """What it can be drawn of."""
-        draws: dict[Taken, object] = {"curve": self._of_curves, "surface": self._of_surfaces}
+        draws: dict[Taken, object] = {
+            "curve": self._of_curves,
+            "surface": self._of_surfaces,
+            "mesh": self._of_meshes,
+        }
         return frozenset(kind for kind, draw in draws.items() if draw is not None)
 
-    def draw(self, shape: Shape, geometry: PlusGeometry, camera: Camera) -> Iterable[Item]:
+    def draw(self, shape: Shape, geometry: Geometry, camera: Camera) -> Iterable[Item]:
         """What is drawn of a shape; nothing of a kind that it does not take."""
         if isinstance(geometry, PlusCurve):
             return self._of_curves(shape, geometry, camera) if self._of_curves else ()
+        if isinstance(geometry, MeshSurface):
+            return self._of_meshes(shape, geometry, camera) if self._of_meshes else ()
         return self._of_surfaces(shape, geometry, camera) if self._of_surfaces else ()
 
     def of_curves(self, draw: DrawCurve) -> DrawCurve:
@@ -65,6 +74,11 @@ class Overlay:
     def of_surfaces(self, draw: DrawSurface) -> DrawSurface:
         """A decorator: draw surfaces like that."""
         self._of_surfaces = draw
+        return draw
+
+    def of_meshes(self, draw: DrawMesh) -> DrawMesh:
+        """A decorator: draw surfaces of meshes like that."""
+        self._of_meshes = draw
         return draw
 
 

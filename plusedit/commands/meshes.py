@@ -1,0 +1,103 @@
+"""Edits of surfaces of meshes."""
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, replace
+from math import isfinite
+
+import numpy as np
+
+from plusedit.commands.base import (
+    Command,
+    Targets,
+    fitted,
+    fitted_matrix,
+    unlocked,
+    with_shapes,
+)
+from plusedit.document.design import Design, EditError
+from plusedit.document.shape import ShapeId
+from plusedit.geometry.arrays import Floats
+from plusedit.geometry.mesh.mesh_surface import MeshSurface
+
+LEAST, MOST = 1e-3, 1e3  # smoothness that anyone has a use for
+
+
+def edit_meshes(
+    design: Design, ids: Iterable[ShapeId], edit: Callable[[ShapeId, MeshSurface], MeshSurface]
+) -> Design:
+    """The design with `edit` done to the surface of every mesh named; itself if it changes none.
+
+    All or nothing. EditError where a shape is locked, hidden, missing or no mesh; a ValueError of
+    `edit` becomes an EditError that names the shape.
+    """
+    found = {}
+    for shape_id in ids:
+        shape, surface = unlocked(design, shape_id), design.mesh(shape_id)
+        try:
+            edited = edit(shape_id, surface)
+        except EditError:
+            raise
+        except ValueError as error:
+            raise EditError(f"{shape.name}: {error}") from error
+        if edited is not surface:
+            found[shape_id] = replace(shape, geometry=edited)
+    return with_shapes(design, found)
+
+
+@dataclass(frozen=True, eq=False)
+class SetSmoothness(Command):
+    """Give surfaces of meshes their smoothness S."""
+
+    values: Mapping[ShapeId, float]
+
+    @property
+    def label(self) -> str:
+        return "Set S" if len(self.values) == 1 else f"Set S of {len(self.values)} meshes"
+
+    def apply(self, design: Design) -> Design:
+        def smoothed(shape_id: ShapeId, surface: MeshSurface) -> MeshSurface:
+            value = float(self.values[shape_id])
+            if not (isfinite(value) and LEAST <= value <= MOST):
+                raise EditError(f"S lies between {LEAST:g} and {MOST:g}")
+            return surface if value == surface.smoothness else surface.with_smoothness(value)
+
+        return edit_meshes(design, self.values, smoothed)
+
+
+@dataclass(frozen=True, eq=False)
+class SetAreaWeights(Command):
+    """Let faces of meshes count by their area over their squared radius, or all alike."""
+
+    ids: tuple[ShapeId, ...]
+    are_on: bool
+
+    @property
+    def label(self) -> str:
+        return "Weigh faces by area" if self.are_on else "Weigh faces alike"
+
+    def apply(self, design: Design) -> Design:
+        def weighted(_: ShapeId, surface: MeshSurface) -> MeshSurface:
+            if surface.area_weights == self.are_on:
+                return surface
+            return replace(surface, area_weights=self.are_on)
+
+        return edit_meshes(design, self.ids, weighted)
+
+
+def transformed_meshes(
+    design: Design, targets: Targets, matrix: Floats, offset: Floats
+) -> tuple[Design, Targets]:
+    """The design with x -> matrix x + offset done to the meshes among the targets, and the others.
+
+    A mesh is mapped as a whole; so is its surface, which follows it.
+    """
+    turn, shift = fitted_matrix(matrix, 3), fitted(offset, 3)
+    meshes = [i for i in targets if design[i].mesh is not None]
+
+    def mapped(_: ShapeId, surface: MeshSurface) -> MeshSurface:
+        if (turn == np.eye(3)).all() and not shift.any():
+            return surface
+        return surface.transformed(turn, shift)
+
+    others = {i: rows for i, rows in targets.items() if i not in meshes}
+    return edit_meshes(design, meshes, mapped), others

@@ -1,0 +1,208 @@
+"""What surfaces of meshes look like, and how long what was evaluated is kept."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose, assert_array_equal
+
+from plusedit.document.selection import Selection
+from plusedit.document.shape import Style
+from plusedit.scene.camera import AXES, PlaneCamera
+from plusedit.scene.drawn_mesh import (
+    drawing_of,
+    evaluated,
+    keep,
+    known_drawing,
+    net_of,
+    polygon_edges,
+    vertex_normals,
+)
+from plusedit.scene.framing import framed
+from plusedit.scene.items import Mesh, Polyline, Segments
+from plusedit.scene.options import ViewOptions
+from plusedit.scene.scene import scene_items
+from plusedit.scene.space_camera import SpaceCamera
+from plusedit.scene.space_framing import framed_in_space
+from plusedit.scene.space_scene import space_items
+from tests.geometry.mesh.mesh_surfaces import torus
+from tests.scene.meshes import HILL, a_hill, a_landscape
+
+CAMERA = SpaceCamera((800.0, 600.0), (0.5, 0.5, 0.2), 2.0)
+BARE = ViewOptions(overlays=frozenset(), handles="none", isolines=False)
+TURN = np.array([[0.6, -0.8, 0.0], [0.8, 0.6, 0.0], [0.0, 0.0, 1.0]])
+
+
+def the_mesh(layers):
+    (item,) = [item for item in (*layers.solids, *layers.glass) if isinstance(item, Mesh)]
+    return item
+
+
+# Drawings
+
+
+def test_a_drawing_is_the_surface_at_the_places_of_its_net():
+    surface = a_hill()
+    drawing = drawing_of(surface)
+    assert drawing.is_exact
+    assert_array_equal(drawing.points, surface.at(drawing.net.places))
+
+
+def test_small_meshes_are_drawn_finer_than_they_are_and_keep_their_vertices():
+    surface = a_hill()
+    net = net_of(surface)
+    count = surface.mesh.vertex_count
+    assert len(net.triangles) > 20 * surface.mesh.face_count
+    assert_allclose(net.places[:count], surface.vertex_places)
+
+
+def test_the_edges_of_a_net_run_along_those_of_the_polygons():
+    surface = a_hill(3)
+    net = net_of(surface)
+    # On a height field with parameters x and y, edges are lines of constant x or y.
+    starts, ends = net.places[net.edges[:, 0]], net.places[net.edges[:, 1]]
+    assert ((starts == ends).sum(axis=1) == 1).all()
+    assert_allclose(3.0 * starts[starts == ends] % 1.0, 0.0, atol=1e-12)
+    length = np.abs(ends - starts).sum()
+    assert_allclose(length, 8.0)
+    assert_allclose(np.abs(np.diff(net.places[net.boundary], axis=1)).sum(), 4.0)
+
+
+def test_each_triangle_lies_in_the_face_that_it_says():
+    surface = a_hill(3)
+    net = net_of(surface)
+    middle = net.places[net.triangles].mean(axis=1)
+    cell = np.floor(3.0 * middle).astype(int) @ [3, 1]
+    assert_array_equal(net.faces, cell)
+
+
+def test_edges_of_a_closed_mesh_have_faces_on_both_sides():
+    from plusedit.geometry.mesh.polygons import PolygonMesh
+
+    corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
+    tetrahedron = PolygonMesh.of(corners, [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)])
+    edges, counts = polygon_edges(tetrahedron)
+    assert len(edges) == 6
+    assert (counts == 2).all()
+
+
+def test_normals_are_those_of_the_plane_where_the_mesh_is_one():
+    points = np.array([[0.0, 0.0, 2.0], [1.0, 0.0, 2.0], [0.0, 1.0, 2.0], [5.0, 5.0, 5.0]])
+    normals = vertex_normals(points, np.array([[0, 1, 2]], np.int32))
+    assert_array_equal(normals[:3], np.tile([0.0, 0.0, 1.0], (3, 1)))
+    assert_array_equal(normals[3], np.zeros(3))
+
+
+def test_without_waiting_the_mesh_itself_stands_for_its_surface():
+    surface = a_hill()
+    shown = drawing_of(surface, wait=False)
+    assert shown.points is surface.mesh.vertices
+    assert not shown.is_exact
+    assert known_drawing(surface) is None
+
+
+def test_without_waiting_the_surface_before_the_change_stands_for_the_one_after():
+    surface = a_hill()
+    before = drawing_of(surface)
+    smoother = surface.with_smoothness(3.0)
+    assert drawing_of(smoother, wait=False) is before
+    assert known_drawing(smoother) is None
+
+
+def test_a_quick_drawing_does_for_a_moment_and_gives_way_to_the_exact_one():
+    surface = a_hill()
+    quick = keep(surface, evaluated(surface, quick=lambda surface, places: surface.at(places)))
+    assert drawing_of(surface, wait=False) is quick
+    assert drawing_of(surface).is_exact
+
+
+@pytest.mark.parametrize("made", [a_hill, torus])
+def test_a_surface_moved_as_a_whole_is_drawn_at_once(made):
+    surface = made(s=0.8)
+    drawing_of(surface)
+    moved = surface.transformed(2.0 * TURN, [1.0, -2.0, 3.0])
+    shown = drawing_of(moved, wait=False)
+    assert shown.is_exact
+    assert_allclose(shown.points, moved.at(shown.net.places), atol=1e-11)
+
+
+def test_a_surface_with_an_edited_plane_is_not_taken_for_the_one_before():
+    surface = a_hill()
+    drawing_of(surface)
+    edited = surface.with_plane(3, point=[0.0, 0.0, 9.0])
+    assert known_drawing(edited) is None
+    assert drawing_of(edited).points[:, 2].max() > 1.0
+
+
+# In space
+
+
+def test_a_mesh_is_a_solid_with_its_boundary():
+    layers = space_items(a_landscape(), CAMERA, BARE)
+    solid = the_mesh(layers)
+    assert solid in layers.solids
+    assert_allclose(np.linalg.norm(solid.normals, axis=1), 1.0)
+    assert (solid.normals[:, 2] > 0.0).all()
+    (boundary,) = [item for item in layers.lines if isinstance(item, Segments)]
+    assert boundary.color == "line"
+
+
+def test_items_stay_the_same_while_they_look_the_same():
+    design = a_landscape()
+    first, second = (space_items(design, camera, BARE) for camera in (CAMERA, CAMERA.orbited(1, 0)))
+    assert the_mesh(first) is the_mesh(second)
+
+
+def test_a_mesh_shows_its_style_and_whether_it_is_locked_hidden_or_selected():
+    colored = space_items(a_landscape(style=Style("#8090A0")), CAMERA, BARE)
+    assert the_mesh(colored).front == "#8090A0"
+    locked = space_items(a_landscape(locked=True), CAMERA, BARE)
+    assert the_mesh(locked) in locked.glass
+    assert not list(space_items(a_landscape(visible=False), CAMERA, BARE))
+    chosen = space_items(a_landscape(), CAMERA, BARE, Selection.of_shapes([HILL]))
+    assert {item.color for item in chosen.lines} == {"selected"}
+
+
+def test_edges_of_polygons_are_drawn_where_they_are_few_or_asked_for():
+    design = a_landscape()
+    few = space_items(design, CAMERA, replace(BARE, isolines=True))
+    asked = space_items(design, CAMERA, replace(BARE, wire=True))
+    for layers in (few, asked):
+        edges = [item for item in layers.lines if isinstance(item, Segments)]
+        assert max(len(item.starts) for item in edges) == len(net_of(a_hill()).edges)
+
+
+def test_the_mesh_as_it_was_read_is_an_overlay():
+    design = a_landscape()
+    mesh = design.mesh(HILL).mesh
+    layers = space_items(design, CAMERA, replace(BARE, overlays=frozenset({"mesh"})))
+    (ghost,) = [i for i in layers.lines if isinstance(i, Segments) and "classical" in i.color]
+    edges, _ = polygon_edges(mesh)
+    assert_array_equal(ghost.starts, mesh.vertices[edges[:, 0]])
+
+
+def test_a_mesh_is_framed():
+    camera = framed_in_space(a_landscape(), CAMERA, BARE)
+    screen = camera.to_screen(a_hill().mesh.vertices)
+    assert ((screen > 0.0) & (screen < camera.size)).all()
+
+
+# In the plane
+
+
+@pytest.mark.parametrize("projection", list(AXES))
+def test_a_plane_view_shows_the_outline_and_frames_it(projection):
+    camera = framed(a_landscape(), PlaneCamera((800.0, 600.0), projection=projection), BARE)
+    layers = scene_items(a_landscape(), camera, BARE)
+    assert not [item for item in layers if isinstance(item, Mesh)]
+    drawn = [item.points for item in layers if isinstance(item, Polyline)]
+    drawn += [item.starts for item in layers if isinstance(item, Segments)]
+    screen = camera.to_screen(np.concatenate(drawn))
+    assert ((screen > 0.0) & (screen < camera.size)).all()
+
+
+def test_a_view_from_the_front_shows_the_ridge():
+    camera = PlaneCamera((800.0, 600.0), scale=300.0, projection="front")
+    lines = [i for i in scene_items(a_landscape(), camera, BARE) if isinstance(i, Polyline)]
+    highest = drawing_of(a_hill()).points[:, 2].max()
+    assert max(line.points[:, 2].max() for line in lines) > 0.9 * highest
