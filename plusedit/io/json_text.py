@@ -6,12 +6,15 @@ knows what they were meant for can say where they stand.
 """
 
 import codecs
+import gc
 import json
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
 from typing import Any
 
-from plusedit.document.shape import Json, Tree
+from plusedit.document.shape import Json
 from plusedit.io.formats import FormatError
 
 LARGEST = 256 * 2**20  # bytes
@@ -28,9 +31,11 @@ ENCODINGS = {
 }
 
 
-class Rows(list[Json]):
-    """A list of rows of numbers, or of rows of these: one a line where it is long, however long
-    that line gets."""
+@dataclass(frozen=True)
+class Lines:
+    """A long list, each entry of which is JSON already; it is written an entry a line."""
+
+    entries: Sequence[str]
 
 
 class _StandsTwiceError(Exception):
@@ -44,7 +49,8 @@ def parse(data: bytes) -> Json:
     """
     text = _decoded(data)
     try:
-        tree: Json = json.loads(text, parse_int=_whole, object_pairs_hook=_object)
+        with _nothing_collected():
+            tree: Json = json.loads(text, parse_int=_whole, object_pairs_hook=_object)
     except json.JSONDecodeError as error:
         raise FormatError(_why(error)) from None
     except _StandsTwiceError as twice:
@@ -63,6 +69,8 @@ def encode(value: object) -> str:
 
 def layout(value: object, indent: str = "", *, opened: int = 0) -> str:
     """`value` as JSON, what is short on one line, but for the outermost `opened` levels."""
+    if isinstance(value, Lines):
+        return _block("[", value.entries, "]", indent)
     if not isinstance(value, list | tuple | Mapping) or not value:
         return encode(value)
     if not opened and LEAST * len(value) <= WIDTH:
@@ -70,8 +78,6 @@ def layout(value: object, indent: str = "", *, opened: int = 0) -> str:
         if len(indent) + len(line) <= WIDTH:
             return line
     inner, deeper = indent + "  ", max(0, opened - 1)
-    if isinstance(value, Rows):
-        return _block("[", [_a_row_a_line(value, inner)], "]", indent)
     if isinstance(value, Mapping):
         parts = [f"{encode(k)}: {layout(v, inner, opened=deeper)}" for k, v in value.items()]
         return _block("{", parts, "}", indent)
@@ -82,10 +88,15 @@ def layout(value: object, indent: str = "", *, opened: int = 0) -> str:
     return _block("[", parts, "]", indent)
 
 
-def document(tree: Tree, opened: Mapping[str, int]) -> bytes:
-    """`tree` as the text of a file, a key a line; under some keys that many levels are broken."""
+def document(tree: Mapping[str, object], opened: Mapping[str, int]) -> bytes:
+    """`tree` as the text of a file, a key a line; under some keys that many levels are broken.
+
+    FormatError if it would be more than is read again.
+    """
     parts = [f"{encode(k)}: {layout(v, '  ', opened=opened.get(k, 0))}" for k, v in tree.items()]
-    return to_bytes(_block("{", parts, "}", "") + "\n")
+    data = to_bytes(_block("{", parts, "}", "") + "\n")
+    _check_amount(data)
+    return data
 
 
 def to_bytes(text: str) -> bytes:
@@ -94,22 +105,38 @@ def to_bytes(text: str) -> bytes:
 
 
 def _decoded(data: bytes) -> str:
-    if len(data) > LARGEST:
-        raise FormatError(f"has {len(data)} bytes; more than {LARGEST} are not read")
     for mark, sentence in ENCODINGS.items():
         if data.startswith(mark):
             raise FormatError(sentence)
     if not data.strip():
         raise FormatError("is empty")
+    _check_amount(data)
+    try:
+        return data.decode("utf-8")
+    except UnicodeDecodeError as error:
+        raise FormatError(f"is not UTF-8 text: byte {error.start} is wrong") from None
+
+
+def _check_amount(data: bytes) -> None:
+    if len(data) > LARGEST:
+        raise FormatError(f"has {len(data)} bytes; more than {LARGEST} are not read")
     brackets = data.count(b"[")
     if brackets <= MOST_BRACKETS:
         brackets += data.count(b"{")
     if brackets > MOST_BRACKETS or data.count(b",") > MOST_COMMAS:
         raise FormatError("holds more values than can be read")
+
+
+@contextmanager
+def _nothing_collected() -> Iterator[None]:
+    """What is parsed is no garbage; looking for some among all of it takes as long as parsing."""
+    was_on = gc.isenabled()
+    gc.disable()
     try:
-        return data.decode("utf-8")
-    except UnicodeDecodeError as error:
-        raise FormatError(f"is not UTF-8 text: byte {error.start} is wrong") from None
+        yield
+    finally:
+        if was_on:
+            gc.enable()
 
 
 def _why(error: json.JSONDecodeError) -> str:
@@ -168,15 +195,7 @@ def _row(value: object) -> str | None:
     return None if "n" in words else f"[{words}]"
 
 
-def _a_row_a_line(rows: Rows, indent: str) -> str:
-    # The encoder takes far longer for one row after the other.
-    line = encode(rows)[1:-1]
-    first = rows[0]
-    seam = "]], [[" if isinstance(first, list) and isinstance(first[0], list) else "], ["
-    return line.replace(seam, seam.replace(" ", f"\n{indent}"))
-
-
-def _block(opening: str, parts: list[str], closing: str, indent: str) -> str:
+def _block(opening: str, parts: Sequence[str], closing: str, indent: str) -> str:
     separator = f",\n{indent}  "
     return f"{opening}\n{indent}  {separator.join(parts)}\n{indent}{closing}"
 

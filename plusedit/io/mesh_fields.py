@@ -5,7 +5,7 @@ all of them are what they should be, and one by one only to say which is not.
 """
 
 from collections.abc import Mapping
-from itertools import chain, pairwise
+from itertools import chain
 from typing import Any
 
 import numpy as np
@@ -41,7 +41,7 @@ from plusedit.io.fields import (
     whole,
 )
 from plusedit.io.formats import FormatError
-from plusedit.io.json_text import Rows, shown
+from plusedit.io.json_text import Lines, shown
 
 MESH_KEYS = frozenset(
     {
@@ -84,14 +84,13 @@ def read_mesh_surface(tree: Object) -> tuple[MeshSurface, dict[str, Object]]:
     return surface, {"domain": of_domain, "planes": of_planes, "source": source}
 
 
-def mesh_tree(surface: MeshSurface, extra: Tree) -> Tree:
+def mesh_tree(surface: MeshSurface, extra: Tree) -> Mapping[str, object]:
     """What a file says of `surface`; `extra` holds what else was kept, by key."""
     mesh, domain = surface.mesh, surface.domain
-    starts = mesh.starts.tolist()
-    tree: dict[str, Json] = {"vertices": Rows(mesh.vertices.tolist())}
-    tree["faces"] = _split(mesh.corners.tolist(), starts)
+    tree: dict[str, object] = {"vertices": _rows(mesh.vertices)}
+    tree["faces"] = _of_faces("%d", mesh, mesh.corners.tolist())
     tree["domain"] = {"kind": domain.kind, **domain.sizes, **nested(extra, "domain")}
-    tree["parameters"] = _split(surface.parameters.tolist(), starts)
+    tree["parameters"] = _of_faces("[%s, %s]", mesh, _words(surface.parameters))
     tree["smoothness"] = float(surface.smoothness)
     tree["s"] = float(surface.s)
     tree["area_weights"] = surface.area_weights
@@ -111,8 +110,32 @@ def mesh_tree(surface: MeshSurface, extra: Tree) -> Tree:
     return tree
 
 
-def _split(values: list[Any], starts: list[int]) -> Rows:
-    return Rows(values[a:b] for a, b in pairwise(starts))
+def _rows(vectors: Floats) -> Lines:
+    """(n, 3) vectors, a row each."""
+    return _lines(["[%s, %s, %s]"] * len(vectors), _words(vectors))
+
+
+def _of_faces(corner: str, mesh: PolygonMesh, values: list[Any]) -> Lines:
+    """A row per face of an entry per corner, filled with the values."""
+    sizes = mesh.sizes.tolist()
+    patterns = {size: f"[{', '.join([corner] * size)}]" for size in set(sizes)}
+    return _lines([patterns[size] for size in sizes], values)
+
+
+def _lines(patterns: list[str], values: list[Any]) -> Lines:
+    # All at once: to fill one after the other takes several times as long.
+    return Lines(("\n".join(patterns) % tuple(values)).split("\n"))
+
+
+def _words(values: Floats) -> list[str]:
+    """Each of the numbers as the shortest word that gives it back.
+
+    Most parameters stand in several faces; what is the same to the last bit is spelled once.
+    """
+    bits, places = np.unique(values.ravel().view(np.int64), return_inverse=True)
+    words = np.array(list(map(float.__repr__, bits.view(np.float64).tolist())), dtype=object)
+    found: list[str] = words[places].tolist()
+    return found
 
 
 def _plane_tree(plane: EditedPlane) -> dict[str, Json]:

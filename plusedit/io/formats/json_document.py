@@ -4,7 +4,7 @@ A file is taken whole or not at all. Keys that mean nothing to this program are 
 back, at the top, in shapes, in bases and in styles.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
 from plusedit.document.design import Design
@@ -75,7 +75,7 @@ def loads(data: bytes, name: str) -> Loaded:
 
 def dumps(design: Design) -> bytes:
     """The document of a design, for `loads` to make the same design of it, bit for bit."""
-    tree: dict[str, Json] = {"format": FORMAT, "version": VERSION}
+    tree: dict[str, object] = {"format": FORMAT, "version": VERSION}
     tree["shapes"] = [_shape_tree(shape_id, shape) for shape_id, shape in design.shapes.items()]
     if design.view:
         tree["view"] = design.view
@@ -161,9 +161,9 @@ def _style(value: Json) -> tuple[Style, Object]:
     return style, unknown
 
 
-def _shape_tree(shape_id: ShapeId, shape: Shape) -> Tree:
+def _shape_tree(shape_id: ShapeId, shape: Shape) -> Mapping[str, object]:
     kind, own = _own_tree(shape)
-    tree: dict[str, Json] = {"id": shape_id, "kind": kind}
+    tree: dict[str, object] = {"id": shape_id, "kind": kind}
     if shape.name != shape_id:
         tree["name"] = shape.name
     if not shape.visible:
@@ -176,7 +176,7 @@ def _shape_tree(shape_id: ShapeId, shape: Shape) -> Tree:
     return {**tree, **own, **_without(shape.extra, SHARED | KEYS[kind])}
 
 
-def _own_tree(shape: Shape) -> tuple[str, Tree]:
+def _own_tree(shape: Shape) -> tuple[str, Mapping[str, object]]:
     """Its kind, and what only shapes of that kind have."""
     geometry = shape.geometry
     if isinstance(geometry, PlusCurve):
