@@ -120,7 +120,11 @@ def shifted(shape: Shape, offset: Floats) -> Shape:
     """The shape moved by `offset`, visible and unlocked."""
     shape = replace(shape, visible=True, locked=False)
     geometry = shape.plus
-    if geometry is None or not offset.any():
+    if not offset.any():
+        return shape
+    if shape.mesh is not None:
+        return shape.with_mesh(shape.mesh.transformed(np.eye(3), fitted(offset, 3)))
+    if geometry is None:
         return shape
     points = geometry.net.control_points + fitted(offset, geometry.dimension)
     return shape.with_plus(geometry.with_net(geometry.net.with_control_points(points)))

@@ -7,6 +7,7 @@ from typing import Literal
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from plusedit.app.errors import message
+from plusedit.app.mesh_opening import mesh_suffixes
 from plusedit.io.formats import Format, formats
 
 Answer = Literal["save", "discard", "cancel"]
@@ -32,8 +33,9 @@ class Dialogs:
 
     def open_path(self, folder: Path) -> Path | None:
         """The file to open."""
-        all_of_ours = f"All that can be opened ({' '.join('*' + s for s in known_suffixes())})"
-        filters = [all_of_ours, *map(patterns, formats.values()), "All files (*)"]
+        ours = (*known_suffixes(), *mesh_suffixes())
+        all_of_ours = f"All that can be opened ({' '.join('*' + s for s in ours)})"
+        filters = [all_of_ours, *map(patterns, formats.values()), of_meshes(), "All files (*)"]
         return self._path(
             QFileDialog.getOpenFileName(self._parent, "Open", str(folder), ";;".join(filters))
         )
@@ -44,6 +46,12 @@ class Dialogs:
             QFileDialog.getOpenFileName(
                 self._parent, "Import SVG", str(folder), patterns(formats["svg"])
             )
+        )
+
+    def mesh_path(self, folder: Path) -> Path | None:
+        """The mesh or terrain to import."""
+        return self._path(
+            QFileDialog.getOpenFileName(self._parent, "Import mesh", str(folder), of_meshes())
         )
 
     def save_path(self, suggested: Path) -> Path | None:
@@ -113,6 +121,11 @@ class Dialogs:
     def _path(self, answer: Iterable[object]) -> Path | None:
         name = str(next(iter(answer)))
         return Path(name) if name else None
+
+
+def of_meshes() -> str:
+    """The line of a file dialog for all meshes and terrains."""
+    return f"Meshes and terrains ({' '.join('*' + suffix for suffix in mesh_suffixes())})"
 
 
 def known_suffixes() -> tuple[str, ...]:

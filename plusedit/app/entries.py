@@ -87,12 +87,17 @@ def file_entries(window: "MainWindow") -> Iterator[Entry]:
     yield Entry("save_as", "Save as…", "File", files.save_as, ("Ctrl+Shift+S",), 1, "save-as")
     yield Entry("import_svg", "Import SVG…", "File", flows.import_svg, (), 2, "import",
                 "Add the paths of a drawing to the design")  # fmt: skip
+    yield Entry("import_mesh", "Import mesh…", "File", flows.import_mesh, (), 2, "import",
+                "Add a polygon mesh or a terrain as smooth surfaces")  # fmt: skip
     yield Entry("export_svg", "Export SVG…", "File", files.export_svg, ("Ctrl+E",), 2, "export")
     yield Entry(
         "export_png", "Export PNG…", "File", flows.export_png, ("Ctrl+Shift+E",), 2, "export"
     )
     yield Entry("export_mesh", "Export mesh…", "File", flows.export_mesh, (), 2, "export",
                 "Curves and surfaces as OBJ, PLY, STL or GLB for other programs")  # fmt: skip
+    yield Entry("mesh_report", "Mesh report…", "File", window.side.show_mesh_report, (), 2,
+                enabled=lambda: window.side.mesh_report is not None,
+                hint="What was found in the mesh read last, and what was done to it")  # fmt: skip
     yield Entry("recover", "Recover unsaved designs…", "File", flows.recover, (), 3, "history",
                 "What other runs left behind when they ended without saving")  # fmt: skip
     yield Entry("quit", "Quit", "File", window.close, ("Ctrl+Q",), 4,

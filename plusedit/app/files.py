@@ -2,12 +2,13 @@
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import Protocol
+from typing import Protocol, TypeVar
 
 from PySide6.QtWidgets import QWidget
 
-from plusedit.app.background import CancelledError, in_background
+from plusedit.app.background import CancelledError, Progress, in_background
 from plusedit.app.dialogs import DESIGN_SUFFIX, Dialogs
+from plusedit.app.mesh_opening import MeshReport, Opened, is_mesh, opened
 from plusedit.app.settings import Settings
 from plusedit.document.design import Design
 from plusedit.events import Event
@@ -16,6 +17,8 @@ from plusedit.resources import is_shipped
 from plusedit.views.desk import Desk
 
 UNTITLED = "Untitled"
+
+T = TypeVar("T")
 
 
 class DesignView(Protocol):
@@ -43,6 +46,8 @@ class Files:
         """emitted when another design was put into the window"""
         self.notes: Event[str, tuple[str, ...]] = Event()
         """the name of a file, and what was repaired, left out or changed in reading it"""
+        self.reported: Event[MeshReport] = Event()
+        """what there is to tell of the mesh in a file"""
         self._desk, self._settings = desk, settings
         self._parent, self._view = parent, view
 
@@ -71,6 +76,8 @@ class Files:
         path = path or self.dialogs.open_path(self._folder())
         if path is None:
             return False
+        if is_mesh(path):
+            return self._open_mesh(path)
         loaded = self._loaded(path)
         # Asked once the file is known to be readable: an error leaves everything as it is.
         if loaded is None or not self.may_discard():
@@ -79,6 +86,24 @@ class Files:
         self._remember(path)
         self.notes.emit(path.name, loaded.notes)
         return True
+
+    def _open_mesh(self, path: Path) -> bool:
+        found = self.read_mesh(path)
+        if found is None:
+            self._forget_if_gone(path)
+            return False
+        if not self.may_discard():
+            return False
+        self.show(found.design, path)
+        self._remember(path)
+        self.notes.emit(path.name, found.report.told)
+        self.reported.emit(found.report)
+        return True
+
+    def read_mesh(self, path: Path) -> Opened | None:
+        """The shapes in the file of a mesh, without the window standing still; errors are told."""
+        progress = Progress()
+        return self.read(path, lambda: opened(path, progress.tell), progress)
 
     def show(self, design: Design, path: Path | None, *, saved: bool = True) -> None:
         """Put a design into the window."""
@@ -105,7 +130,7 @@ class Files:
         path = self.dialogs.save_path(self._suggested(DESIGN_SUFFIX))
         if path is None:
             return False
-        if not keeps_all(path):
+        if not keeps_all(path) and not is_mesh(path):
             if self.dialogs.wants_export(path):
                 self.export(path)
             return False
@@ -142,10 +167,11 @@ class Files:
         """The design with the view as it is now."""
         return self._view.kept_with(self._desk.session.committed)
 
-    def read(self, path: Path, read: Callable[[], Loaded]) -> Loaded | None:
+    def read(self, path: Path, read: Callable[[], T], progress: Progress | None = None) -> T | None:
         """What `read` gives, without the window standing still; errors are told."""
         try:
-            return in_background(self._parent, f"Reading {path.name} …", read)
+            text = f"Reading {path.name} …"
+            return in_background(self._parent, text, read, progress=progress)
         except CancelledError:
             self._desk.say(f"Reading {path.name} was cancelled.")
         except (FormatError, OSError) as error:
@@ -208,6 +234,8 @@ def keeps_all(path: Path) -> bool:
     """Whether a design loses nothing in a file of that name."""
     from plusedit.io.files import format_of
 
+    if is_mesh(path):
+        return False
     try:
         return format_of(path).keeps_all
     except FormatError:
@@ -219,7 +247,7 @@ def stem_of(name: str) -> str:
     for suffix in (DESIGN_SUFFIX, ".json", ".svg", ".png"):
         if name.lower().endswith(suffix):
             return name[: -len(suffix)]
-    return name
+    return Path(name).stem if is_mesh(Path(name)) else name
 
 
 def said(error: Exception, path: Path) -> str:

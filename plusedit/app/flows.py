@@ -66,6 +66,22 @@ class Flows:
             self._files.notes.emit(path.name, loaded.notes)
             self.imported.emit()
 
+    def import_mesh(self, path: Path | None = None) -> None:
+        """Add the parts of a mesh or terrain to the design, in one step."""
+        self._desk.gestures.cancel()
+        path = path or self._files.dialogs.mesh_path(Path.home())
+        found = None if path is None else self._files.read_mesh(path)
+        if path is None or found is None:
+            return
+        import numpy as np
+
+        shapes = fresh(self._desk.session.committed, found.shapes, np.zeros(2))
+        if not self._desk.commit(AddShapes(shapes, name=f"Import {path.name}")):
+            self._desk.say(f"Imported {counted(len(shapes))} from {path.name}.")
+            self._files.notes.emit(path.name, found.report.told)
+            self._files.reported.emit(found.report)
+            self.imported.emit()
+
     def export_png(self) -> None:
         """Write a picture of the design."""
         from plusedit.app.export_dialogs import PictureDialog

@@ -8,6 +8,7 @@ from plusedit import __version__
 
 if TYPE_CHECKING:
     from plusedit.app.help_window import HelpWindow
+    from plusedit.app.mesh_opening import MeshReport
     from plusedit.app.palette import Palette
     from plusedit.app.window import MainWindow
 
@@ -19,6 +20,8 @@ class SideWindows:
         self._window = window
         self.palette: Palette | None = None
         self.help: HelpWindow | None = None
+        self.mesh_report: MeshReport | None = None
+        """of the mesh that was read last"""
 
     def show_palette(self) -> None:
         """The command palette."""
@@ -45,6 +48,18 @@ class SideWindows:
 
         self.help = HelpWindow(self._window.actions_table, self._window)
         self.help.show()
+
+    def keep_mesh_report(self, report: "MeshReport") -> None:
+        """Have that report at hand."""
+        self.mesh_report = report
+        self._window.actions_table.refresh()
+
+    def show_mesh_report(self) -> None:
+        """What was found in the mesh read last, in a window that may stay open."""
+        from plusedit.app.mesh_report import MeshReportWindow
+
+        if self.mesh_report is not None:
+            MeshReportWindow(self._window, self.mesh_report).show()
 
     def show_about(self) -> None:
         """Name, version, and what it is."""

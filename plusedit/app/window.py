@@ -141,6 +141,7 @@ class MainWindow(QMainWindow):
         self.files.named.listen(self._named)
         self.files.shown.listen(self._shown)
         self.files.notes.listen(self.notes.tell)
+        self.files.reported.listen(self.side.keep_mesh_report)
         self.flows.imported.listen(self.panes.frame_selected)
         self.view.changed.listen(self.actions_table.refresh)
         self.gestures.tool_changed.listen(lambda _: self.actions_table.refresh())
