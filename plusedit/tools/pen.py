@@ -22,7 +22,7 @@ from plusedit.interaction.drawing import (
     shortened,
 )
 from plusedit.interaction.moving import snaps
-from plusedit.interaction.places import seen_plane
+from plusedit.interaction.places import on_sheet, seen_axes, seen_plane, sheet_of
 from plusedit.interaction.readout import ring, shift_text, thread
 from plusedit.interaction.snapping import PEN_ANGLE, to_grid, to_step
 from plusedit.interaction.tool import (
@@ -72,7 +72,7 @@ class Pen:
         point = self._point(start, stroke, stage)
         now = yield Shown(feedback=Feedback(hint=DRAW_HINT, cursor="cross"))
         while True:
-            tip = stage.camera.to_world(now.at, point)
+            tip = on_sheet(now.at, point, stage.camera)
             placed = Placed(point, self._direction(point, tip, now, stroke, stage))
             edit = self._edit(placed, stroke, stage)
             arm = np.stack([2.0 * point - tip, tip])
@@ -223,13 +223,12 @@ class Pen:
     def _point(self, at: Pointer, stroke: Stroke | None, stage: Stage) -> Floats:
         """(dim,) the point meant: on the grid with Ctrl, at 45 degrees to the last with Shift."""
         before = self._last_point(stroke, stage)
-        plane = seen_plane(stage.camera)
-        like = before if before is not None else np.zeros(max(plane) + 1)
-        point = stage.camera.to_world(at.at, like)
+        like = before if before is not None else sheet_of(stage.camera)
+        point = on_sheet(at.at, like, stage.camera)
         if before is not None and Held.SHIFT in at.held:
-            point = _at_round_angle(point, before, plane)
+            point = _at_round_angle(point, before, seen_plane(stage.camera))
         elif snaps(at, stage):
-            axes = [axis for axis in plane if axis < len(point)]
+            axes = [axis for axis in seen_axes(stage.camera) if axis < len(point)]
             point[axes] = to_grid(point[axes], stage.grid_step)
         return point
 
