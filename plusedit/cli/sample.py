@@ -15,8 +15,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--at",
         metavar="PARAMETERS.json",
-        help='where, by shape: {"wing": {"u": [0, 0.5, 1]}, "sail": {"u": [0, 1], "v": [0.5]}}; '
-        "of a surface every pair; shapes not named are left out",
+        help='where, by shape: {"wing": {"u": [0, 0.5, 1]}, "sail": {"u": [0, 1], "v": [0.5]}, '
+        '"knee": {"uv": [[0, 0.5]]}}; of a surface every pair; shapes not named are left out',
     )
     parser.add_argument(
         "--count",
@@ -24,7 +24,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         type=_count,
         default=USUAL_COUNT,
         help="without --at: how many evenly spaced parameters, on a surface each way "
-        f"(default {USUAL_COUNT})",
+        f"(default {USUAL_COUNT}); meshes are sampled at their vertices",
     )
     parser.add_argument(
         "--derivatives",
@@ -40,8 +40,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     """Everything is worked out before the first byte is written."""
     from plusedit.io.files import check_apart, load, read_file, shown_name, write_file
-    from plusedit.io.json_text import encode, shown, to_bytes
-    from plusedit.io.samples import everywhere, left_out, places_in, samples
+    from plusedit.io.json_text import encode, to_bytes
+    from plusedit.io.samples import everywhere, places_in, samples
 
     design = load(arguments.design).design
     if arguments.at is None:
@@ -56,10 +56,6 @@ def run(arguments: argparse.Namespace) -> int:
     else:
         check_apart(arguments.out, arguments.design, *([arguments.at] if arguments.at else []))
         write_file(data, arguments.out)
-    if arguments.at is None:
-        for shape_id in left_out(design, places):
-            name = shown(design[shape_id].name)
-            print(f"{name} is left out: a mesh can't be sampled yet", file=sys.stderr)
     return 0
 
 

@@ -138,8 +138,9 @@ def test_a_full_disk_behind_standard_output_is_told(document):
 
 
 @pytest.mark.skipif(os.name != "posix", reason="shells of Unix")
-def test_complaints_do_not_go_among_the_numbers_when_nobody_hears_them(document):
-    command = f"'{sys.executable}' -m plusedit sample '{document}' --count 2"
+def test_complaints_do_not_go_among_the_output_when_nobody_hears_them(document):
+    out = document.with_name("out.obj")
+    command = f"'{sys.executable}' -m plusedit export '{document}' '{out}'"
     heard = subprocess.run(command, shell=True, capture_output=True, check=True)
     unheard = subprocess.run(f"{command} 2>&-", shell=True, capture_output=True, check=True)
     assert heard.stderr

@@ -10,7 +10,7 @@ from plusedit.__main__ import main
 from plusedit.document.design import Design
 from plusedit.document.shape import Shape
 from plusedit.io.files import load, save
-from tests.designs import BOW, DOCUMENT, SAIL, WING, a_design
+from tests.designs import BOW, DOCUMENT, KNEE, SAIL, WING, a_design
 from tests.geometry.definition import surface_definition
 from tests.geometry.surfaces import PAIRS, random_surface
 
@@ -110,16 +110,39 @@ def test_the_output_can_be_a_file(bow, sampled, tmp_path, capsys):
     assert json.loads((tmp_path / "out.json").read_bytes())["shapes"] == on_screen
 
 
-def test_meshes_are_left_out_with_a_note(document, capsys):
-    assert main(["sample", str(document), "--count", "3"]) == 0
-    out, notes = capsys.readouterr()
-    assert list(json.loads(out)["shapes"]) == ["wing", "bow", "sail"]
-    assert notes == '"knee" is left out: a mesh can\'t be sampled yet\n'
+def test_a_mesh_is_sampled_once_at_every_vertex(document, sampled):
+    knee, surface = sampled(document)["knee"], load(document).design.mesh(KNEE)
+    assert list(knee) == ["uv", "position", "du", "dv"]
+    assert_array_equal(knee["uv"], surface.vertex_places)
+    for key, values in zip(
+        ("position", "du", "dv"), surface.derivatives(surface.vertex_places), strict=True
+    ):
+        assert_array_equal(knee[key], values)
 
 
-def test_a_mesh_that_is_named_is_refused(document, refused, at):
-    told = refused(document, "--at", at({"knee": {"uv": [[0, 0]]}}))
-    assert told == 'at.json: shape "knee": a mesh can\'t be sampled yet'
+def test_a_mesh_is_sampled_where_asked_even_far_outside(document, sampled, at):
+    places = [[0.25, 0.5], [-17.75, 8.5], [1e12, -3.5]]
+    knee = sampled(document, "--at", at({"knee": {"uv": places}}), "--derivatives", 0)["knee"]
+    assert list(knee) == ["uv", "position"]
+    assert knee["uv"] == places
+    assert_allclose(knee["position"][1], knee["position"][0])
+    assert np.isfinite(knee["position"]).all()
+
+
+@pytest.mark.parametrize(
+    ("parameters", "why"),
+    [
+        ({"u": [0.5]}, '"u": a mesh has "uv" alone'),
+        ({}, "uv: is missing"),
+        ({"uv": []}, "uv: is empty"),
+        ({"uv": [[0, 1], [0]]}, "uv: row 1 has 1 number, row 0 has 2"),
+        ({"uv": [[0, 1, 2]]}, "uv: row 0 has 3 numbers, expected 2"),
+        ({"uv": [0.5, 1]}, "uv: row 0: expected a list of numbers, got 0.5"),
+    ],
+)
+def test_wrong_parameters_of_a_mesh_are_told(document, refused, at, parameters, why):
+    told = refused(document, "--at", at({"knee": parameters}))
+    assert told == f'at.json: shape "knee": {why}'
 
 
 def test_every_surface_is_sampled_evenly_each_way(document, sampled):
