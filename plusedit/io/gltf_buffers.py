@@ -15,6 +15,7 @@ from plusedit.geometry.arrays import Floats
 from plusedit.io.fields import Object, object_of, text, whole
 from plusedit.io.formats import FormatError
 from plusedit.io.json_text import shown
+from plusedit.io.mesh_cleaning import doubles
 
 SideFiles = Callable[[str], bytes]
 """What is in the file of that name beside the document. FormatError in one sentence."""
@@ -74,7 +75,7 @@ class Buffers:
         item = np.dtype((COMPONENTS[code], (WIDTHS[kind],)))
         found = self._view(accessor, item, where)
         if item.base.kind == "f":
-            return found.astype(np.float64)
+            return doubles(found)
         if accessor.get("normalized") is True:
             shares: Floats = np.maximum(found / np.iinfo(item.base).max, -1.0)
             return shares

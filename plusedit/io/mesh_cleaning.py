@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +18,7 @@ Marks = NDArray[np.bool_]
 
 LARGEST = 1e15  # coordinates; beyond, neighboring doubles are some tenths apart
 MOST = 2**31 - 1  # corners and vertices are counted with 31 bits
+SOME = 1000  # corners that mostly show that not all lie on one line
 FLAT = 1e-12  # of the square of the size: an area that is none
 
 
@@ -57,10 +59,18 @@ def cleaned(read: ReadMesh) -> MeshFile:
         raise FormatError(f"has no face that can be used: {'; '.join(read.notes)}")
     _drop_infinite(read, broken)
     _tell_unused(read)
-    _check_extent(read.points[read.corners])
+    if not _is_wide(read.points[read.corners[:SOME]]):
+        _check_extent(read.points[read.corners])
     starts = _starts(read.sizes)
     mesh = PolygonMesh(read.points, read.corners.astype(np.int32), starts.astype(np.int32))
     return MeshFile(mesh, read.uv, _groups(read), notes=tuple(read.notes))
+
+
+def doubles(values: NDArray[Any]) -> Floats:
+    """The same numbers as doubles."""
+    # Bytes can be a "signaling" NaN, which warns wherever it is touched.
+    with np.errstate(invalid="ignore", over="ignore"):
+        return values.astype(np.float64)
 
 
 def vertices(count: int) -> str:
@@ -174,14 +184,19 @@ def _tell_unused(read: ReadMesh) -> None:
 
 def _check_extent(at: Floats) -> None:
     """FormatError if all of the points (c, 3) lie on one line."""
+    if (at == at[0]).all():
+        raise FormatError("has faces without area: all their points lie at one place")
+    if not _is_wide(at):
+        raise FormatError("has faces without area: all their points lie on one line")
+
+
+def _is_wide(at: Floats) -> bool:
+    """Whether points (c, 3) do not all lie on one line."""
     away = at - at[0]
     distances = np.linalg.norm(away, axis=1)
     farthest = int(distances.argmax())
-    size = distances[farthest]
-    if size == 0.0:
-        raise FormatError("has faces without area: all their points lie at one place")
-    if np.linalg.norm(np.cross(away, away[farthest]), axis=1).max() <= FLAT * size**2:
-        raise FormatError("has faces without area: all their points lie on one line")
+    areas = np.linalg.norm(np.cross(away, away[farthest]), axis=1)
+    return bool(areas.max() > FLAT * distances[farthest] ** 2)
 
 
 def _groups(read: ReadMesh) -> dict[str, Numbers]:

@@ -1,7 +1,8 @@
 """Files of text with meshes in them: what they begin with, how their lines end."""
 
 import codecs
-import re
+
+import numpy as np
 
 from plusedit.io.formats import FormatError
 from plusedit.io.json_text import shown
@@ -24,7 +25,7 @@ CONTENTS = {
     b"<!doctype": "a web page",
     b"<html": "a web page",
 }
-COMMENT = re.compile(rb"(?<![^\s])#[^\n]*")
+HASH, NEW_LINE, BLANK = b"#\n "
 
 
 def check_content(data: bytes, wanted: str) -> None:
@@ -60,7 +61,19 @@ def plain_text(data: bytes, wanted: str) -> bytes:
 
 def without_comments(text: bytes) -> bytes:
     """The text without what follows a # at the beginning of a word, line by line."""
-    return COMMENT.sub(b"", text) if b"#" in text else text
+    if b"#" not in text:
+        return text
+    characters = np.frombuffer(text, dtype=np.uint8)
+    hashes = np.flatnonzero(characters == HASH)
+    hashes = hashes[(hashes == 0) | (characters[hashes - 1] <= BLANK)]
+    line_ends = np.flatnonzero(characters == NEW_LINE)
+    lines, first = np.unique(np.searchsorted(line_ends, hashes), return_index=True)
+    marks = np.zeros(len(text), dtype=np.int8)
+    marks[hashes[first]] = 1
+    marks[line_ends[lines]] = -1
+    kept = np.cumsum(marks, dtype=np.int8) == 0
+    stripped: bytes = characters[kept].tobytes()
+    return stripped
 
 
 def name_of(raw: bytes) -> str:

@@ -23,12 +23,13 @@ class Welded(NamedTuple):
 def welded(points: Floats) -> Welded:
     """Points (n, 3) with exactly equal ones made one; those that are not finite stay apart."""
     keys = _keys(points)
-    order = np.argsort(keys, kind="stable")
-    if _collides(points, keys, order):
+    order = np.argsort(keys)
+    columns = [points[order, axis] for axis in range(3)]
+    differs = _differs(*columns)
+    if (differs & (keys[order[1:]] == keys[order[:-1]])).any():  # equal keys of different points
         order = np.lexsort(points.T[::-1])
-    ranked = points[order]
-    begins = np.ones(len(points), dtype=np.bool_)
-    begins[1:] = (ranked[1:] != ranked[:-1]).any(axis=1)
+        differs = _differs(*(points[order, axis] for axis in range(3)))
+    begins = np.concatenate([np.ones(min(1, len(points)), dtype=np.bool_), differs])
     firsts = np.minimum.reduceat(order, np.flatnonzero(begins)) if len(points) else order
     by_first = np.argsort(firsts)
     places = np.empty_like(by_first)
@@ -36,6 +37,12 @@ def welded(points: Floats) -> Welded:
     numbers = np.empty(len(points), dtype=np.int64)
     numbers[order] = places[np.cumsum(begins) - 1]
     return Welded(points[firsts[by_first]], numbers)
+
+
+def _differs(x: Floats, y: Floats, z: Floats) -> NDArray[np.bool_]:
+    """(n - 1,) whether each point is another than the one before."""
+    differs: NDArray[np.bool_] = (x[1:] != x[:-1]) | (y[1:] != y[:-1]) | (z[1:] != z[:-1])
+    return differs
 
 
 def _keys(points: Floats) -> NDArray[np.uint64]:
@@ -46,10 +53,3 @@ def _keys(points: Floats) -> NDArray[np.uint64]:
         keys = (keys ^ bits[:, axis]) * MIXERS[axis]
         keys ^= keys >> SHIFT
     return keys
-
-
-def _collides(points: Floats, keys: NDArray[np.uint64], order: NDArray[np.int64]) -> bool:
-    """Whether different points have equal keys."""
-    ranked, sorted_keys = points[order], keys[order]
-    same = sorted_keys[1:] == sorted_keys[:-1]
-    return bool((ranked[1:][same] != ranked[:-1][same]).any())

@@ -24,7 +24,7 @@ Places = NDArray[np.int64]
 BLOCK = 1 << 22  # characters
 LONGEST_LINE = 1 << 25
 CODED = 8  # characters of a keyword that tell it from others
-NEW_LINE, BLANK = ord("\n"), ord(" ")
+NEW_LINE, BLANK = b"\n "
 SMALL = np.uint8(ord("a") - ord("A"))
 
 NO_NUMBER = re.compile(r"[+-]?(1\.#(ind|qnan|snan)\d*|nan\([\w-]*\))", re.ASCII | re.IGNORECASE)
@@ -42,13 +42,13 @@ def lines_in(text: bytes) -> int:
 
 
 def blocks(text: bytes, line: int = 1) -> "Iterator[Words]":
-    """The words of a text that begins with that line of a file, block by block.
+    """The words of a text that begins with that line of a file and ends with a line's end.
 
     FormatError if a line is absurdly long.
     """
     at = 0
     while at < len(text):
-        end = text.find(b"\n", min(at + BLOCK, len(text) - 1)) + 1
+        end = text.find(b"\n", min(at + BLOCK, len(text) - 1)) + 1 or len(text)
         words = Words(text[at:end], line)
         if words.longest_line > LONGEST_LINE:
             raise FormatError(f"has a line of more than {LONGEST_LINE >> 20} million characters")

@@ -16,6 +16,7 @@ from plusedit.geometry.arrays import Floats
 from plusedit.io.fields import of_number
 from plusedit.io.formats import FormatError
 from plusedit.io.json_text import shown
+from plusedit.io.mesh_cleaning import doubles
 from plusedit.io.mesh_words import Places
 from plusedit.io.ply_header import Element, Property
 
@@ -46,7 +47,7 @@ class Body:
         numbers = np.empty(len(places))
         for at in range(0, len(places), PIECE):
             beside = places[at : at + PIECE, None] + np.arange(dtype.itemsize)
-            numbers[at : at + PIECE] = self.values[beside].view(dtype).ravel()
+            numbers[at : at + PIECE] = doubles(self.values[beside].view(dtype)).ravel()
         return numbers
 
     def reader(self, kind: str) -> Callable[[int], int]:

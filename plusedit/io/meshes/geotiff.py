@@ -10,6 +10,7 @@ import numpy as np
 from plusedit.geometry.arrays import Floats
 from plusedit.io.fields import within
 from plusedit.io.formats import FormatError
+from plusedit.io.mesh_cleaning import doubles
 from plusedit.io.mesh_file import MeshFile
 from plusedit.io.mesh_text import check_content
 from plusedit.io.meshes import register
@@ -67,7 +68,7 @@ def _read(data: bytes, tifffile: Any) -> _Band:
         with tifffile.TiffFile(BytesIO(data)) as file:
             page = file.pages[0]
             _check_page(page, len(data))
-            values = np.asarray(page.asarray(), dtype=np.float64)
+            values = doubles(np.asarray(page.asarray()))
             void = page.tags.get("GDAL_NODATA")
             tags = dict(page.geotiff_tags) if "GeoKeyDirectoryTag" in page.tags else {}
             return _Band(values, tags, None if void is None else _void(void.value))

@@ -7,6 +7,7 @@ import numpy as np
 from plusedit.geometry.arrays import Floats
 from plusedit.io.fields import within
 from plusedit.io.formats import FormatError
+from plusedit.io.mesh_cleaning import doubles
 from plusedit.io.mesh_file import MeshFile
 from plusedit.io.mesh_text import check_content
 from plusedit.io.meshes import register
@@ -72,5 +73,4 @@ def _values(array: Array) -> Floats:
         shape = " × ".join(map(str, array.shape)) or "one number"
         raise FormatError(f"is an array of {shape}; heights have rows and columns")
     check_shape(*array.shape)
-    with np.errstate(over="ignore", invalid="ignore"):
-        return array.astype(np.float64)
+    return doubles(array)

@@ -20,7 +20,7 @@ class WavefrontObj:
         with within(name):
             text = without_comments(plain_text(data, "an OBJ file"))
             # A line goes on after a backslash; the tab stands for the line that is lost.
-            text = text.replace(b"\\\n", b" \v")
+            text = text.replace(b"\\\n", b" \v") + b"\n"
             reading = ObjReading()
             for words in blocks(text):
                 reading.add(words)

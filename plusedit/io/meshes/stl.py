@@ -5,7 +5,7 @@ import numpy as np
 from plusedit.geometry.arrays import Floats
 from plusedit.io.fields import of_number, within
 from plusedit.io.formats import FormatError
-from plusedit.io.mesh_cleaning import ReadMesh, cleaned
+from plusedit.io.mesh_cleaning import ReadMesh, cleaned, doubles
 from plusedit.io.mesh_file import MeshFile
 from plusedit.io.mesh_text import check_content, plain_text
 from plusedit.io.mesh_welding import welded
@@ -69,7 +69,7 @@ def _binary(data: bytes) -> ReadMesh:
             " triangle were ignored"
         )
     triangles = np.frombuffer(data, dtype=TRIANGLE, count=promised, offset=HEAD)
-    points: Floats = triangles["points"].astype(np.float64).reshape(-1, 3)
+    points: Floats = doubles(triangles["points"]).reshape(-1, 3)
     sizes = np.full(promised, 3, dtype=np.int64)
     read = ReadMesh(points, np.arange(len(points)), sizes, notes=notes)
     _weld(read)

@@ -173,3 +173,13 @@ def test_a_line_without_end_is_refused(monkeypatch):
 def test_numbers_come_out_as_they_were_written(points):
     text = "".join(f"v {x!r} {y!r} {z!r}\n" for x, y, z in [*points, *POINTS])
     np.testing.assert_array_equal(read(text + "f 6 7 8\nf 1 2 3\n").mesh.vertices[:5], points)
+
+
+@pytest.mark.parametrize("end", ["\\", "\\\n", "\\\n\\\n", "#", "# \\\n", "\\ \n"])
+def test_a_file_may_end_in_any_way(end):
+    assert faces(f"{SQUARE}f 1 2 3 4\n{end}") == [(0, 1, 2, 3)]
+
+
+def test_a_name_may_contain_what_begins_a_comment():
+    text = f"{SQUARE}g part#1 # the first\nf 1 2 3 # 4\n"
+    assert list(read(text).groups) == ["part#1"]
