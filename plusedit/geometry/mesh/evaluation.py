@@ -63,8 +63,6 @@ class Prepared:
         narrowed = np.minimum(sigmas[:, None], caps)
         heights = planes.weights[tree.order] * (sigmas[:, None] / narrowed).prod(axis=1)
         largest = narrowed.max(axis=0)
-        # A center may come into the cell by an image that turns: so do the gradients.
-        signs = surface.s * domain.reduction(planes.centers).signs[tree.order, None]
         # Of the images of one plane the nearest is half a period away at most.
         reaches = [
             hypot(0.5 * p, np.sqrt(2.0 * DEEPEST) * w) if p < inf else 0.0
@@ -76,8 +74,8 @@ class Prepared:
             halves=0.5 / narrowed**2,
             heights=heights / heights.max(),
             points=planes.points[tree.order],
-            by_u=signs * planes.gradients_u[tree.order],
-            by_v=signs * planes.gradients_v[tree.order],
+            by_u=surface.s * planes.gradients_u[tree.order],
+            by_v=surface.s * planes.gradients_v[tree.order],
             periods=domain.periods,
             turns=domain.turns,
             images=domain.images(*reaches),
