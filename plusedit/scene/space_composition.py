@@ -26,18 +26,19 @@ class SpaceComposition:
 
 
 def composed_in_space(
-    design: Design, size: tuple[float, float], view: str | None = None
+    design: Design, size: tuple[float, float], view: str | None = None, *, wait: bool = True
 ) -> SpaceComposition:
     """All of the design, with the overlays and handles that it says itself.
 
     It is looked at from the named `view`, or else as the design's own 3D view looks, from wherever
-    it is; "iso" where the design says nothing. Nothing is selected. KeyError for an unknown view.
+    it is; "iso" where the design says nothing. Nothing is selected. Without `wait` surfaces of
+    meshes are as they are known by now. KeyError for an unknown view.
     """
     options = replace(options_of(design.view), ground=design.view.get("ground") is True)
     camera = _camera(design, size, view)
     margin = max(LEAST_MARGIN, MARGIN * min(size))
     camera = framed_in_space(design, camera, options, margin=min(margin, min(size) / 4.0))
-    return SpaceComposition(camera, options, space_items(design, camera, options))
+    return SpaceComposition(camera, options, space_items(design, camera, options, wait=wait))
 
 
 def _camera(design: Design, size: tuple[float, float], view: str | None) -> SpaceCamera:

@@ -18,6 +18,7 @@ from plusedit.views.desk import Desk
 from plusedit.views.family_form import FamilyForm
 from plusedit.views.fields import NumberField, TextField
 from plusedit.views.live import common, title
+from plusedit.views.mesh_form import MeshForm
 
 SHARE = "How strongly s pulls by the lengths of rows; scales every direction by"
 USUAL_WIDTH = 2.0  # logical pixels of a curve that says nothing of it
@@ -42,6 +43,7 @@ class ShapeForm(QWidget):
         ]
         self._color = ColorButton(self._set_color)
         self._width = NumberField("width", self._set_width, step=0.5)
+        self._meshes = MeshForm(desk)
         self._above, self._below = self._rows(), self._rows()
         self._fill()
 
@@ -68,6 +70,7 @@ class ShapeForm(QWidget):
         column.addLayout(self._above)
         for family in self._families:
             column.addWidget(family)
+        column.addWidget(self._meshes)
         column.addLayout(self._below)
 
     def show_shapes(self, shapes: dict[ShapeId, Shape]) -> None:
@@ -86,7 +89,8 @@ class ShapeForm(QWidget):
         self._ratio.show_value(common(round(ratio, 9) for ratio in ratios))
         self._show_shares()
         styles = [shape.style for shape in shapes.values()]
-        are_surfaces = [isinstance(g, PlusSurface) for g in self._plus.values()]
+        self._meshes.show_meshes({i: s.mesh for i, s in shapes.items() if s.mesh is not None})
+        are_surfaces = [shape.curve is None for shape in shapes.values()]
         has_none_but = bool(are_surfaces) and all(are_surfaces)
         usual = self._desk.theme.color("front" if has_none_but else "plus")
         self._color.show_color([s.color for s in styles], usual)

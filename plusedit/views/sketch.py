@@ -11,7 +11,7 @@ from plusedit.document.design import Design
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.blend import Grid
 from plusedit.scene.composition import SIZE
-from plusedit.scene.items import Item, Patch, Polyline
+from plusedit.scene.items import Item, Mesh, Patch, Polyline
 from plusedit.scene.options import options_of, view_tree
 from plusedit.scene.space_camera import SpaceCamera
 from plusedit.scene.space_composition import composed_in_space
@@ -19,6 +19,7 @@ from plusedit.scene.theme import LIGHT, Theme
 from plusedit.views.painter import ItemPainter, painting
 from plusedit.views.picture import blank_image
 
+WAITED_FOR = 5000  # faces, up to which meshes are smoothed for a small picture
 SAMPLES = 129  # of a surface each way, to tell what it hides
 CELL = 3.0  # pixels; what lies in one cell is hidden by the nearest surface there
 SLACK = 0.03  # of the height that is seen: a curve on a surface is not hidden by it
@@ -39,14 +40,15 @@ def sketch_of(
     bare = replace(options_of(design.view), overlays=frozenset(), handles="none", isolines=False)
     plain = replace(design, view=view_tree(bare, old=design.view))
     image = blank_image(size, theme, transparent=transparent, ratio=ratio)
-    picture = composed_in_space(plain, (float(size[0]), float(size[1])))
+    faces = sum(surface.mesh.face_count for _, surface in design.meshes())
+    extent = float(size[0]), float(size[1])
+    picture = composed_in_space(plain, extent, wait=faces <= WAITED_FOR)
     layers, camera = picture.layers, picture.camera
-    patches = [item for item in layers.solids if isinstance(item, Patch)]
     with painting(image) as painter:
         draw = ItemPainter(painter, camera, theme)
         draw.paint(layers.solids)
         draw.paint(layers.glass)
-        draw.paint(_seen(layers.lines, _nearest(patches, camera), camera))
+        draw.paint(_seen(layers.lines, _nearest(layers.solids, camera), camera))
     return image
 
 
@@ -54,12 +56,15 @@ Depths = NDArray[np.float64]
 """How deep the nearest surface lies in each cell of the view; infinite where there is none."""
 
 
-def _nearest(patches: Sequence[Patch], camera: SpaceCamera) -> Depths:
+def _nearest(solids: Sequence[Patch | Mesh], camera: SpaceCamera) -> Depths:
     width, height = (int(side // CELL) + 1 for side in camera.size)
     depths = np.full((height, width), np.inf)
-    for patch in patches:
-        grid = Grid.uniform(SAMPLES)
-        points = patch.surface.sample(grid, grid).reshape(-1, 3)
+    grid = Grid.uniform(SAMPLES)
+    for item in solids:
+        if isinstance(item, Patch):
+            points = item.surface.sample(grid, grid).reshape(-1, 3)
+        else:
+            points = item.points
         points = points[np.isfinite(points).all(axis=1)]
         column, row = _cells(points, camera, depths)
         np.minimum.at(depths, (row, column), camera.depths(points))

@@ -158,6 +158,7 @@ def test_recent_files_are_in_the_menu_and_open(window, document):
 
 
 def test_notes_on_a_file_are_shown_until_dismissed(opened):
+    opened.files.notes.emit("bow.json", ("a key was left out",))
     assert opened.notes.isVisible()
     assert "bow.json" in opened.notes.text.text()
     opened.notes.close_button.click()

@@ -6,6 +6,9 @@ from PySide6.QtCore import QPoint, Qt
 
 from plusedit.document.selection import Selection
 from plusedit.scene.drawn_mesh import known_drawing
+from plusedit.views.mesh_form import MeshForm
+from plusedit.views.panels.inspector import Inspector
+from plusedit.views.sketch import sketch_of
 from tests.gui.finding import type_into
 from tests.scene.meshes import HILL, a_hill, a_landscape
 
@@ -128,3 +131,20 @@ def test_evaluation_goes_on_with_what_is_shown_last(qtbot, landscape):
     settle(qtbot, landscape)
     assert known_drawing(hill(landscape)).is_exact
     assert hill(landscape).smoothness == 2.0
+
+
+def test_the_inspector_shows_and_takes_the_numbers_of_a_mesh(qtbot, landscape):
+    (form,) = landscape.findChildren(MeshForm)
+    inspector = landscape.findChild(Inspector)
+    inspector.refresh()
+    assert form.counts.text() == "36 faces, 49 vertices"
+    type_into(qtbot, form.smoothness, "2")
+    type_into(qtbot, form.magnitude, "0.25")
+    form.weights.click()
+    assert (hill(landscape).smoothness, hill(landscape).s) == (2.0, 0.25)
+    assert hill(landscape).area_weights
+
+
+def test_a_small_picture_shows_a_mesh(window):
+    image = sketch_of(a_landscape(), (120, 90), transparent=True)
+    assert image.pixelColor(60, 45).alpha() == 255

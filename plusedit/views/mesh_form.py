@@ -1,0 +1,58 @@
+"""The numbers of selected surfaces of meshes."""
+
+from PySide6.QtWidgets import QCheckBox, QFormLayout, QLabel, QWidget
+
+from plusedit.commands.curves import SetMagnitude
+from plusedit.commands.meshes import SetAreaWeights, SetSmoothness
+from plusedit.document.shape import ShapeId
+from plusedit.geometry.mesh.mesh_surface import MeshSurface
+from plusedit.views.basis_form import row_label
+from plusedit.views.desk import Desk
+from plusedit.views.fields import NumberField
+from plusedit.views.live import common
+
+
+class MeshForm(QWidget):
+    """S, s, weights by area, and what the mesh is made of; hidden where there is none."""
+
+    def __init__(self, desk: Desk) -> None:
+        super().__init__()
+        self._desk = desk
+        self._meshes: dict[ShapeId, MeshSurface] = {}
+        self.smoothness = NumberField("smoothness S", self._set_smoothness, step=0.05)
+        self.magnitude = NumberField("s of meshes", self._set_magnitude, step=0.05)
+        self.weights = QCheckBox("Weigh faces by area")
+        self.weights.clicked.connect(self._set_weights)
+        self.counts = QLabel()
+        self.domain = QLabel()
+        form = QFormLayout(self)
+        form.setContentsMargins(0, 0, 0, 0)
+        form.setSpacing(4)
+        form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        form.addRow(row_label("S"), self.smoothness)
+        form.addRow(row_label("s"), self.magnitude)
+        form.addRow(row_label(""), self.weights)
+        form.addRow(row_label("Mesh"), self.counts)
+        form.addRow(row_label("Domain"), self.domain)
+
+    def show_meshes(self, meshes: dict[ShapeId, MeshSurface]) -> None:
+        """Show these; "mixed" where they differ."""
+        self._meshes = meshes
+        self.setVisible(bool(meshes))
+        surfaces = meshes.values()
+        self.smoothness.show_value(common(mesh.smoothness for mesh in surfaces))
+        self.magnitude.show_value(common(mesh.s for mesh in surfaces))
+        self.weights.setChecked(bool(common(mesh.area_weights for mesh in surfaces)))
+        faces = sum(mesh.mesh.face_count for mesh in surfaces)
+        vertices = sum(mesh.mesh.vertex_count for mesh in surfaces)
+        self.counts.setText(f"{faces:,} faces, {vertices:,} vertices")
+        self.domain.setText(common(mesh.domain.kind for mesh in surfaces) or "mixed")
+
+    def _set_smoothness(self, value: float) -> str:
+        return self._desk.commit(SetSmoothness(dict.fromkeys(self._meshes, value)))
+
+    def _set_magnitude(self, value: float) -> str:
+        return self._desk.commit(SetMagnitude(dict.fromkeys(self._meshes, value)))
+
+    def _set_weights(self, are_on: bool) -> None:
+        self._desk.commit(SetAreaWeights(tuple(self._meshes), are_on))
