@@ -26,10 +26,8 @@ from plusedit.scene.items import Item
 
 NEAR = 100.0  # pixels that double the size where the pointer began on the center itself
 
-TURN_HINT = (
-    "Rotate · X, Y, Z about an axis · Ctrl snaps to 15° · Shift is slow · type degrees · "
-    "Enter or click accepts"
-)
+FLAT_HINT = "Rotate · Ctrl snaps to 15° · Shift is slow · type degrees · Enter or click accepts"
+TURN_HINT = FLAT_HINT.replace("Rotate", "Rotate · X, Y, Z about an axis")
 SINGLE_HINT = (
     "Rotate the direction of this one line · Ctrl snaps to 15° · Shift is slow · "
     "type degrees · Enter or click accepts"
@@ -71,13 +69,14 @@ def _view_axis(stage: Stage, targets: Targets, point: Floats) -> Axis:
 def _turn_all(start: Pointer, stage: Stage, targets: Targets) -> Drag:
     center = centroid(stage.design, targets)
     at = stage.camera.to_screen(center[None])[0]
-    turning = Turning(stage.camera, _view_axis(stage, targets, center), start)
-    now = yield Shown(feedback=Feedback(hint=TURN_HINT, cursor="turn"))
+    own = _view_axis(stage, targets, center)
+    turning, hint = Turning(stage.camera, own, start), TURN_HINT if own.lockable else FLAT_HINT
+    now = yield Shown(feedback=Feedback(hint=hint, cursor="turn"))
     while True:
         about, angle = turning.to(now)
         matrix = rotation(about.axis, angle)
         text = f"angle {number(degrees(angle), 1)}°"
-        feedback = Feedback(_leash(at, now, stage), TURN_HINT, text, "turn")
+        feedback = Feedback(_leash(at, now, stage), hint, text, "turn")
         edit = Transform(targets, matrix, center - matrix @ center, "Rotate")
         now = yield Shown(edit, feedback)
 
