@@ -106,6 +106,8 @@ class Mesh:
     """(m, 3) unit vectors, or None for flat triangles"""
     front: str = "front"
     back: str = "back"
+    colors: NDArray[np.float32] | None = None
+    """(m, 3) red, green and blue of every point, 0 to 1, in place of the colors of both sides"""
 
 
 Item: TypeAlias = Polyline | Polygon | Segments | Markers | Label | Patch | Mesh

@@ -8,7 +8,9 @@ from plusedit.scene.items import Markers, Mesh, Polygon, Polyline, Segments
 from plusedit.scene.space_camera import SpaceCamera
 from plusedit.scene.theme import DARK, LIGHT, THEMES
 from plusedit.views.gl.artist import Look
+from plusedit.views.space_picture import space_image_of
 from tests.gl.easel import FRONT, ISO, TOP, at, color, is_like
+from tests.scene.meshes import a_landscape
 
 pytestmark = pytest.mark.gl
 
@@ -244,3 +246,19 @@ def test_the_axes_stand_in_their_corner(easel):
     assert rows.max() < 100
     wanted = color(LIGHT, "x")[:3]
     assert (np.abs(pixels[..., :3] - wanted) <= 2).all(axis=2).any()
+
+
+def test_a_mesh_may_have_a_color_at_every_point(easel):
+    colors = np.array([[1, 0, 0], [0, 0, 1], [0, 0, 1], [1, 0, 0]], np.float32)
+    faces = np.array([[0, 1, 2], [0, 2, 3]], np.int32)
+    pixels = easel.draw(Mesh(SQUARE, faces, None, colors=colors))
+    left = at(pixels, FRONT, (-0.95, 0.0, 0.0)).astype(int)
+    right = at(pixels, FRONT, (0.95, 0.0, 0.0)).astype(int)
+    assert left[0] > left[2] + 60
+    assert right[2] > right[0] + 60
+
+
+def test_the_surface_of_a_mesh_is_seen_in_space():
+    image = space_image_of(a_landscape(), (120, 90))
+    empty = space_image_of(a_landscape(visible=False), (120, 90))
+    assert image.pixelColor(60, 45) != empty.pixelColor(60, 45)

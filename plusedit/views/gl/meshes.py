@@ -25,14 +25,18 @@ class MeshBuffers:
     def __init__(self, gl: Functions, mesh: Mesh) -> None:
         self._gl = gl
         self.origin: Floats = (mesh.points.min(axis=0) + mesh.points.max(axis=0)) / 2.0
-        vertices = np.zeros((len(mesh.points), 6), np.float32)
+        width = 6 if mesh.colors is None else 9
+        vertices = np.zeros((len(mesh.points), width), np.float32)
         vertices[:, :3] = mesh.points - self.origin
         if mesh.normals is not None:
-            vertices[:, 3:] = mesh.normals
+            vertices[:, 3:6] = mesh.normals
+        if mesh.colors is not None:
+            vertices[:, 6:] = mesh.colors
         self._buffer, self._triangles = Buffer(gl), Buffer(gl, ELEMENT_ARRAY_BUFFER)
         self._buffer.put(vertices)
         self._vertices = VertexArray(gl)
-        self._vertices.read(self._buffer, 24, Attribute(0, 3), Attribute(1, 3, 12))
+        parts = [Attribute(0, 3), Attribute(1, 3, 12), Attribute(2, 3, 24)]
+        self._vertices.read(self._buffer, 4 * width, *parts[: width // 3])
         self._triangles.put(np.ascontiguousarray(mesh.triangles, np.uint32))
         self._count = mesh.triangles.size
 
@@ -69,7 +73,8 @@ class Meshes:
         held = self._held[mesh]
         front, back = (_of_two(sight.palette.albedo(color)) for color in (mesh.front, mesh.back))
         glass = ("GLASS",) if min(front[3], back[3]) < 1.0 else ()
-        program = self._programs.named("mesh", "shade", *sight.styles, *glass)
+        tinted = () if mesh.colors is None else ("TINTED",)
+        program = self._programs.named("mesh", "shade", *sight.styles, *glass, *tinted)
         program.use()
         sight.show(program, held.origin)
         sight.show_light(program, held.origin, front, back)

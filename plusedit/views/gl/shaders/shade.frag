@@ -6,6 +6,9 @@
 
 in vec3 sight;
 in vec3 normal;
+#ifdef TINTED
+in vec3 tint;
+#endif
 #ifdef WIRE
 in vec2 cell;
 uniform vec4 wire;
@@ -57,6 +60,9 @@ void main() {
     n += max(0.0, 0.01 - facing) * v;
 
     vec4 side = gl_FrontFacing ? front : back;
+#ifdef TINTED
+    side.rgb = tint * tint;
+#endif
     vec3 shown = sqrt(clamp(lit(side.rgb, n, v), DARKEST, BRIGHTEST));
     float alpha = side.a;
 #ifdef GLASS
