@@ -2,9 +2,9 @@
 
 Control line i is drawn as the segment P_i -+ h g_i, h the spacing of the nodes, with a grip at
 each end. Seen from the side it is never shorter than 24 nor longer than 160 pixels, so that it can
-always be gripped; the direction is what counts, which both ends show. At a slant it is seen shorter,
-but never than 24 pixels; only as it turns end on its grips go into the dot, and come out again on
-the other side. Drawing and picking read the same handles.
+always be gripped; the direction is what counts, which both ends show. At a slant it is seen
+shorter, but never than 24 pixels; only as it turns end on its grips go into the dot, and come out
+again on the other side. Drawing and picking read the same handles.
 """
 
 from dataclasses import dataclass
