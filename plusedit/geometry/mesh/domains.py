@@ -73,7 +73,7 @@ class Domain:
         return False
 
     def images(self, reach: float, reach_v: float | None = None) -> Images:
-        """All images of a center in the cell that may lie within `reach` of a place in it.
+        """All images of a `shifted` center that may lie within `reach` of a place in the cell.
 
         `reach` is the distance by u and, unless another is given, by v. The first image is the
         identity.
@@ -94,13 +94,22 @@ class Domain:
 
     def reduction(self, places: Floats) -> Reduced:
         """The same, with the signs of the motions."""
+        moved = self.shifted(places)
+        return Reduced(moved, np.ones(len(moved)))
+
+    def shifted(self, places: Floats) -> Floats:
+        """(m, 2) the places moved by whole periods to between zero and the periods.
+
+        What belongs to the places, as gradients do, stays as it is; in a pillow half of them are
+        not in the cell.
+        """
         moved = np.array(places, dtype=np.float64).reshape(-1, 2)
         for axis, period in enumerate(self.periods):
             if period < inf:
                 moved[:, axis] = np.mod(moved[:, axis], period)
                 # A place just below zero is rounded up to the whole period.
                 moved[moved[:, axis] >= period, axis] = 0.0
-        return Reduced(moved, np.ones(len(moved)))
+        return moved
 
     def nearest(self, places: Floats, to: Floats) -> Floats:
         """(m, 2) of every place the image nearest to its own of the places `to`; the given one
@@ -163,12 +172,12 @@ class PillowDomain(Domain):
         return True
 
     def reduction(self, places: Floats) -> Reduced:
-        moved, signs = super().reduction(places)
+        moved, signs = self.shifted(places), np.ones(len(places))
         u, v = moved.T
         # Of the two images that every place of the rims v = 0 and v = 1/2 has, always the same.
         other = (v > 0.5) | (((v == 0.5) | (v == 0.0)) & (u > self.width))
         signs[other] = -1.0
-        moved[other] = super().reduction(-moved[other]).places
+        moved[other] = self.shifted(-moved[other])
         return Reduced(moved, signs)
 
 

@@ -66,5 +66,5 @@ class Foundation:
     @cached_property
     def tree(self) -> PlaneTree:
         """Where the planes are; those of faces without parameter area are left out."""
-        centers = self.domain.reduced(self.planes.centers)
+        centers = self.domain.shifted(self.planes.centers)
         return PlaneTree.of(centers, self.reaches, self.planes.used)

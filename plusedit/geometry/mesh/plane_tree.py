@@ -26,7 +26,7 @@ class PlaneTree:
     order: NDArray[np.intp]
     """(n,) the face of every plane"""
     centers: Floats
-    """(n, 2) in the domain's cell"""
+    """(n, 2) between zero and the periods of the domain"""
     reaches: Floats
     """(n,) positive"""
     boxes: Floats

@@ -85,6 +85,18 @@ def seam_pairs(kind):
 
 
 @pytest.mark.parametrize("kind", [cylinder, torus, pillow], ids=lambda each: each.__name__)
+def test_which_image_of_a_face_its_parameters_are_makes_no_difference(kind):
+    surface = kind()
+    generator = np.random.default_rng(4)
+    shifts, signs = surface.domain.images(2.0)
+    chosen = np.repeat(generator.integers(0, len(signs), surface.mesh.face_count), 3)
+    moved = replace(surface, parameters=signs[chosen, None] * surface.parameters + shifts[chosen])
+    places = inner_places(surface)
+    for found, wanted in zip(moved.derivatives(places), surface.derivatives(places), strict=True):
+        assert_allclose(found, wanted, atol=1e-11)
+
+
+@pytest.mark.parametrize("kind", [cylinder, torus, pillow], ids=lambda each: each.__name__)
 @pytest.mark.parametrize("smoothness", [0.3, 0.7, 2.0, 12.0])
 def test_both_sides_of_a_seam_agree(kind, smoothness):
     surface = kind(smoothness=smoothness)
@@ -143,7 +155,9 @@ def test_a_single_face_is_its_plane_everywhere(smoothness):
     )
     places = np.array([[0.2, 0.1], [-3.0, 7.0], [1e6, 0.0]])
     u, v = places.T
-    assert_allclose(surface.at(places), np.stack([u, v, 1.0 + u + 2.0 * v], axis=1), rtol=1e-12, atol=1e-12)
+    assert_allclose(
+        surface.at(places), np.stack([u, v, 1.0 + u + 2.0 * v], axis=1), rtol=1e-12, atol=1e-12
+    )
 
 
 def test_a_place_far_outside_belongs_to_the_plane_nearest_in_units_of_its_sigma():
