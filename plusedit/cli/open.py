@@ -2,6 +2,7 @@
 
 import argparse
 import sys
+from pathlib import Path
 
 from plusedit.machine import display, install_command, missing, needed_libraries
 
@@ -15,7 +16,7 @@ NO_DISPLAY = (
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("files", metavar="FILE", nargs="*", help="designs or SVG files")
+    parser.add_argument("files", metavar="FILE", nargs="*", help="designs, SVG files or meshes")
     # Where there is no terminal, a file that can't be read is told in the window.
     parser.add_argument("--window-tells", action="store_true", help=argparse.SUPPRESS)
 
@@ -34,10 +35,16 @@ def run(arguments: argparse.Namespace) -> int:
 def _check(files: list[str]) -> None:
     """FormatError if a file can't be read, while there is a terminal to say so on."""
     if files:
-        from plusedit.io.files import load
+        from plusedit.io.files import load, read_file
+        from plusedit.io.meshes import meshes
 
+        of_meshes = {suffix for entry in meshes.values() for suffix in entry.suffixes}
         for file in files:
-            load(file)
+            # A mesh takes its time: the window reads it, shows how far it is, and can give up.
+            if Path(file).suffix.lower() in of_meshes:
+                read_file(Path(file))
+            else:
+                load(file)
 
 
 def _no_window() -> str | None:
