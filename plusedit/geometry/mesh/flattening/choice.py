@@ -9,9 +9,12 @@ from typing import NamedTuple
 
 import numpy as np
 
+from plusedit.geometry.mesh.flattening.normals import mean_normal
 from plusedit.geometry.mesh.maps import Subject, maps
 
 OPEN = 0.25  # of L^2 / (4 pi A): less is a bag rather than a sheet
+
+LEVEL = np.cos(np.radians(45.0))  # of the mean normal's z
 
 
 class Choice(NamedTuple):
@@ -36,7 +39,7 @@ def choice(subject: Subject) -> Choice:
     """The map that suits the part best."""
     if subject.is_height_field:
         return Choice("height_field", "it is a terrain")
-    if subject.boundaries and suits(subject, "height_field"):
+    if subject.boundaries and suits(subject, "height_field") and not _leans(subject):
         return Choice("height_field", "all faces look up")
     if suits(subject, "file_uv"):
         return Choice("file_uv", "they have neither seams nor overlaps")
@@ -45,6 +48,11 @@ def choice(subject: Subject) -> Choice:
     if not subject.boundaries:
         return Choice("pillow", "it is closed and has no handles")
     return _with_rims(subject)
+
+
+def _leans(subject: Subject) -> bool:
+    """Whether the part is flat, but closer to upright than to level: seen from above it is thin."""
+    return mean_normal(subject.mesh)[2] < LEVEL and suits(subject, "flat")
 
 
 def _with_handles(subject: Subject) -> Choice:

@@ -38,13 +38,12 @@ def rectangle_places(sheet: Sheet, ring: Indices, corners: list[int]) -> Floats:
 
     `corners` are the four places in the ring that go to its corners, ascending.
     """
-    if set(sheet.chords.tolist()):
-        sheet, ring = sheet.collared(ring)
-    weights = mean_value_weights(sheet)
     vertices = sheet.tails[np.roll(ring, -corners[0])]
-    ends = [corner - corners[0] for corner in corners] + [len(ring)]
-    sides = [np.append(vertices, vertices[0])[a : b + 1] for a, b in pairwise(ends)]
-    low, right, high, left = sides
+    if _has_chords(sheet, _sides(vertices, corners)):
+        sheet, ring = sheet.collared(ring)
+        vertices = sheet.tails[np.roll(ring, -corners[0])]
+    low, right, high, left = _sides(vertices, corners)
+    weights = mean_value_weights(sheet)
     columns = []
     for zero, one in ((left, right), (low, high)):
         values = np.concatenate([np.zeros(len(zero)), np.ones(len(one))])
@@ -54,6 +53,23 @@ def rectangle_places(sheet: Sheet, ring: Indices, corners: list[int]) -> Floats:
     energy = energies(sheet, places)
     places[..., 1] *= np.clip(np.sqrt(energy[0, 0] / energy[1, 1]), THINNEST, 1.0 / THINNEST)
     return places
+
+
+def _sides(vertices: Indices, corners: list[int]) -> list[Indices]:
+    """The vertices of the four sides, corners included, of a ring that begins at a corner."""
+    ends = [corner - corners[0] for corner in corners] + [len(vertices)]
+    around = np.append(vertices, vertices[0])
+    return [around[start : end + 1] for start, end in pairwise(ends)]
+
+
+def _has_chords(sheet: Sheet, sides: list[Indices]) -> bool:
+    """Whether an edge inside joins two vertices of a side: what it cuts off would collapse."""
+    for side in sides:
+        on_side = np.zeros(len(sheet.points), dtype=np.bool_)
+        on_side[side] = True
+        if (on_side[sheet.tails[sheet.chords]] & on_side[sheet.heads[sheet.chords]]).any():
+            return True
+    return False
 
 
 def sheet_corners(sheet: Sheet, ring: Indices) -> list[int]:

@@ -14,6 +14,7 @@ from plusedit.geometry.arrays import Floats
 from plusedit.geometry.mesh.polygons import PolygonMesh
 
 FLAT = 1e-12  # of the area of a triangle to its squared size: less has no direction
+ROUNDING = 1e-15  # of a parameter
 
 
 class Stretch(NamedTuple):
@@ -36,16 +37,24 @@ def signed_areas(mesh: PolygonMesh, parameters: Floats) -> Floats:
 def flipped(mesh: PolygonMesh, parameters: Floats) -> NDArray[np.bool_]:
     """(f,) true for faces of which some triangle is turned over.
 
-    Triangles without any area in the plane don't count as turned over.
+    A triangle that is flat up to the rounding of its parameters is not turned over.
     """
     marks = np.zeros(mesh.face_count, dtype=np.bool_)
-    marks[mesh.triangulation.owners[signed_areas(mesh, parameters) < 0.0]] = True
+    marks[mesh.triangulation.owners[_turned_over(mesh, parameters)]] = True
     return marks
 
 
 def flips(mesh: PolygonMesh, parameters: Floats) -> int:
     """How many triangles of the mesh are turned over by parameters (c, 2), unwrapped by face."""
-    return int(np.count_nonzero(signed_areas(mesh, parameters) < 0.0))
+    return int(np.count_nonzero(_turned_over(mesh, parameters)))
+
+
+def _turned_over(mesh: PolygonMesh, parameters: Floats) -> NDArray[np.bool_]:
+    """(t,) true for triangles that are turned over."""
+    places = parameters[mesh.triangulation.corners]
+    rounding = ROUNDING * np.abs(places).max(axis=(1, 2)) * np.ptp(places, axis=1).max(axis=1)
+    turned: NDArray[np.bool_] = signed_areas(mesh, parameters) < -rounding
+    return turned
 
 
 def stretch(mesh: PolygonMesh, parameters: Floats) -> Stretch:

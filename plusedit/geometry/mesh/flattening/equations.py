@@ -13,11 +13,14 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.mesh.flattening.sheet import Indices, Sheet
+from plusedit.geometry.mesh.polygons import Kind
 
 LEAST_SHARE = 1e-9  # of a vertex's weights: a neighbor that counts less would be lost in rounding
+HOPELESS = "the faces of the part are too different in shape and size for its map to be calculated"
 
 
 class Pins(NamedTuple):
@@ -55,6 +58,19 @@ class Chart:
         return seen
 
 
+class _Terms(NamedTuple):
+    """The summands of all equations."""
+
+    rows: Indices
+    """(k,) the vertex in whose equation each stands"""
+    columns: Indices
+    """(k,) the neighbor"""
+    factors: Floats
+    """(k,) its weight, with the sign of the image"""
+    pulls: Floats
+    """(k, d) its weight times the shift of the image"""
+
+
 def solution(
     sheet: Sheet, weights: Floats, pins: Pins, chart: Chart | None = None, column: int | None = None
 ) -> Floats:
@@ -62,82 +78,79 @@ def solution(
 
     `weights` are (t, 3, 2) by corner, as of `flattening.weights`. There must be a pin, and every
     vertex must hang together with one. With a chart, d is 2, or 1 if a column of it is named.
+    ValueError where the numbers of the part are too far apart to calculate with.
     """
-    from scipy.sparse import coo_array
-    from scipy.sparse.linalg import splu
-
-    count, width = len(sheet.points), pins.places.shape[1]
-    found = np.zeros((count, width))
+    found = np.zeros((len(sheet.points), pins.places.shape[1]))
     found[pins.vertices] = pins.places
     free = sheet.used.copy()
     free[pins.vertices] = False
     unknown = np.flatnonzero(free)
     if not len(unknown):
         return found
-    rows, columns, values, known = _terms(sheet, weights, chart, column, width)
-    sums = np.bincount(rows, np.abs(values), minlength=count)
-    shares = np.maximum(np.abs(values) / sums[rows], LEAST_SHARE)
-    values = np.copysign(shares, values)
-    sums = np.bincount(rows, shares, minlength=count)
-    right = _right_side(rows, shares, known, (count, width))
-    number = np.full(count, -1)
-    number[unknown] = np.arange(len(unknown))
-    to_pinned = free[rows] & ~free[columns]
-    at = rows[to_pinned]
-    for axis in range(width):
-        pulled = values[to_pinned] * found[columns[to_pinned], axis]
-        right[:, axis] += np.bincount(at, pulled, minlength=count)
-    inner = free[rows] & free[columns]
+    terms = _terms(sheet, weights, chart, column, found.shape[1])
+    inner = free[terms.rows] & free[terms.columns]
+    outer = free[terms.rows] & ~free[terms.columns]
+    pulls = terms.pulls
+    pulls[outer] += terms.factors[outer, None] * found[terms.columns[outer]]
+    moved = np.flatnonzero(pulls.any(axis=1))
+    at, count = terms.rows[moved], len(found)
+    right: Floats = np.stack(
+        [np.bincount(at, pull[moved], minlength=count) for pull in pulls.T], axis=1
+    )
+    sums = np.bincount(terms.rows, np.abs(terms.factors), minlength=count)
+    number: Indices = np.cumsum(free) - 1
     diagonal = np.arange(len(unknown))
-    entries = np.concatenate([-values[inner], sums[unknown]])
-    places = (
-        np.concatenate([number[rows[inner]], diagonal]),
-        np.concatenate([number[columns[inner]], diagonal]),
+    solved = _solved(
+        np.concatenate([-terms.factors[inner], sums[unknown]]),
+        np.concatenate([number[terms.rows[inner]], diagonal]),
+        np.concatenate([number[terms.columns[inner]], diagonal]),
+        right[unknown],
     )
-    matrix = coo_array((entries, places), shape=(len(unknown), len(unknown))).tocsc()
-    # Rows are diagonally dominant: no pivots are needed, and an order that keeps the pattern
-    # symmetric fills in least.
-    factors = splu(
-        matrix,
-        permc_spec="MMD_AT_PLUS_A",
-        diag_pivot_thresh=0.0,
-        options={"SymmetricMode": True, "Equil": False},
-    )
-    solved = factors.solve(right[unknown])
-    solved += factors.solve(right[unknown] - matrix @ solved)
     found[unknown] = solved
     return found
 
 
 def _terms(
     sheet: Sheet, weights: Floats, chart: Chart | None, column: int | None, width: int
-) -> tuple[Indices, Indices, Floats, Floats | None]:
-    """Rows, columns and signed weights of all summands, and the shift that each adds (k, d)."""
-    triangles = sheet.triangles
-    rows = np.repeat(triangles.ravel(), 2)
-    neighbors = np.stack([np.roll(triangles, -1, axis=1), np.roll(triangles, 1, axis=1)], axis=2)
-    values = weights.ravel()
-    if chart is None:
-        return rows, neighbors.ravel(), values, None
-    signs = np.stack([np.roll(chart.signs, -1, axis=1), np.roll(chart.signs, 1, axis=1)], axis=2)
-    values = values * (chart.signs[:, :, None] * signs).ravel()
-    shifts = np.stack([np.roll(chart.shifts, -1, axis=1), np.roll(chart.shifts, 1, axis=1)], axis=2)
-    known = chart.signs[:, :, None, None] * (shifts - chart.shifts[:, :, None])
-    known = known if column is None else known[..., column : column + 1]
-    return rows, neighbors.ravel(), values, known.reshape(-1, width)
-
-
-def _right_side(
-    rows: Indices, shares: Floats, known: Floats | None, shape: tuple[int, int]
-) -> Floats:
-    """(n, d) what the shifts of the images pull at every vertex."""
-    if known is None:
-        return np.zeros(shape)
-    moved = np.flatnonzero(known.any(axis=1))
-    return np.stack(
-        [
-            np.bincount(rows[moved], shares[moved] * axis[moved], minlength=shape[0])
-            for axis in known.T
-        ],
-        axis=1,
+) -> _Terms:
+    triangles, count = sheet.triangles, len(sheet.points)
+    rows, columns = np.repeat(triangles.ravel(), 2), _beside(triangles).ravel()
+    shares = (
+        weights.ravel() / np.bincount(triangles.ravel(), weights.sum(axis=2).ravel(), count)[rows]
     )
+    shares = np.maximum(shares, LEAST_SHARE)
+    if chart is None:
+        return _Terms(rows, columns, shares, np.zeros((len(rows), width)))
+    factors = shares * (chart.signs[:, :, None] * _beside(chart.signs)).ravel()
+    shifts = _beside(chart.shifts) - chart.shifts[:, :, None]
+    shifts = (chart.signs[:, :, None, None] * shifts).reshape(-1, 2)
+    shifts = shifts if column is None else shifts[:, column : column + 1]
+    return _Terms(rows, columns, factors, shares[:, None] * shifts)
+
+
+def _beside(values: NDArray[Kind]) -> NDArray[Kind]:
+    """(t, 3, 2, ...) what the corners (t, 3, ...) after and before each have."""
+    return np.stack([np.roll(values, -1, axis=1), np.roll(values, 1, axis=1)], axis=2)
+
+
+def _solved(entries: Floats, rows: Indices, columns: Indices, right: Floats) -> Floats:
+    """(k, d) the solution of sparse equations in which every row is diagonally dominant."""
+    from scipy.sparse import coo_array
+    from scipy.sparse.linalg import splu
+
+    matrix = coo_array((entries, (rows, columns)), shape=(len(right), len(right))).tocsc()
+    try:
+        # Dominant diagonals need no pivots, and so the order may be the one that is filled least.
+        factors = splu(
+            matrix,
+            permc_spec="MMD_AT_PLUS_A",
+            diag_pivot_thresh=0.0,
+            options={"SymmetricMode": True, "Equil": False},
+        )
+    except RuntimeError:
+        raise ValueError(HOPELESS) from None
+    solved = factors.solve(right)
+    solved += factors.solve(right - matrix @ solved)
+    if not np.isfinite(solved).all():
+        raise ValueError(HOPELESS)
+    return np.asarray(solved, dtype=np.float64)

@@ -11,8 +11,10 @@ chain at the images
 
 All other vertices are means of their neighbors, those of the chain too, of neighbors seen at their
 images: the chain leaves no trace, and the result is the same wherever it runs between the cone
-points (Aigerman and Lipman, Orbifold Tutte embeddings, 2015). Solved with W = 1; then u is
-stretched so that the energies of u and v agree, which keeps angles as well as a pillow can.
+points (Aigerman and Lipman, Orbifold Tutte embeddings, 2015). Solved with W = 1. How the chain
+winds around the part decides which periods lie along u and v: the shortest ones are taken instead
+(`lattices`), and u is stretched so that the energies of u and v agree, which keeps angles as well
+as a pillow with these cone points can.
 """
 
 from itertools import pairwise
@@ -21,6 +23,7 @@ import numpy as np
 
 from plusedit.geometry.mesh.domains import PillowDomain
 from plusedit.geometry.mesh.flattening.equations import Chart, Pins, solution
+from plusedit.geometry.mesh.flattening.lattices import reduced_basis
 from plusedit.geometry.mesh.flattening.paths import (
     Graph,
     chain_paths,
@@ -32,10 +35,11 @@ from plusedit.geometry.mesh.flattening.paths import (
     shortest_chain,
 )
 from plusedit.geometry.mesh.flattening.sheet import Sheet
-from plusedit.geometry.mesh.flattening.weights import energies, mean_value_weights
+from plusedit.geometry.mesh.flattening.weights import conformal_weights, energies
 from plusedit.geometry.mesh.maps import Layout, Progress
 
 CORNERS = np.array([[0.0, 0.0], [0.0, 0.5], [1.0, 0.5], [1.0, 0.0]])
+ORDER = ((0, 0), (0, 1), (1, 1), (1, 0))  # of the corners, in halves of the periods
 ACROSS = ((-1.0, (0.0, 0.0)), (1.0, (0.0, -1.0)), (-1.0, (2.0, 0.0)))
 WIDEST = 1e4  # of the widths: a part longer than that has no map that can be calculated with
 
@@ -51,12 +55,22 @@ def pillow_layout(sheet: Sheet, cone_points: tuple[int, ...], progress: Progress
     progress(0.3, "laying out the pillow")
     chart = _chart(sheet, paths)
     pins = Pins(np.array(points), CORNERS)
-    places = chart.places(sheet, solution(sheet, mean_value_weights(sheet), pins, chart))
+    parameters = solution(sheet, conformal_weights(sheet), pins, chart)
     progress(0.9, "fitting its width")
+    # Of period one by u and v, as seen from the chain; then by the shortest periods.
+    places = chart.places(sheet, parameters) * (0.5, 1.0)
+    change = reduced_basis(energies(sheet, places))
+    places = places @ change.T
     energy = energies(sheet, places)
-    width = float(np.clip(np.sqrt(energy[1, 1] / energy[0, 0]), 1.0 / WIDEST, WIDEST))
-    places[..., 0] *= width
-    return Layout(PillowDomain(width), places[: sheet.own], cone_points=tuple(points))
+    width = float(0.5 * np.sqrt(energy[1, 1] / energy[0, 0]))
+    width = float(np.clip(width, 1.0 / WIDEST, WIDEST))
+    corners = np.round(2.0 * (CORNERS * (0.5, 1.0)) @ change.T).astype(np.intp) % 2
+    order = [int(np.flatnonzero((corners == corner).all(axis=1))[0]) for corner in ORDER]
+    return Layout(
+        PillowDomain(width),
+        (places * (2.0 * width, 1.0))[: sheet.own],
+        cone_points=tuple(points[place] for place in order),
+    )
 
 
 def cone_chain(

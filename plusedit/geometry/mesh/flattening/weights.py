@@ -1,12 +1,17 @@
 """Weights of the edges of a sheet, for maps in which every vertex is a mean of its neighbors.
 
-Floater's mean value weight of the edge from i to j, with the angles at i on both sides of it,
+As long as all weights are positive no triangle is turned over, whatever the triangles are like
+(Tutte). With the angles alpha, beta at i on both sides of the edge from i to j, and gamma, delta
+opposite to it, there are
 
-    w_ij = (tan(alpha / 2) + tan(beta / 2)) / |V_j - V_i|
+    tan(alpha / 2) + tan(beta / 2), over the length    Floater's mean values: always positive, and
+                                                       a flat sheet keeps its shape (2003),
+    cot(gamma) + cot(delta)                            the least energy: keeps angles best, and is
+                                                       the same from both ends, but negative where
+                                                       gamma + delta > pi (Pinkall, Polthier 1993).
 
-is positive, whatever the triangles are like: so no triangle is turned over (Tutte), and a flat
-sheet is mapped to itself (Floater, Mean value coordinates, 2003). It is not the same from both
-ends; where a map can exist only if it is, the mean of both is taken.
+Where a rim is given the former are taken. Elsewhere the latter, but at least a tenth of the mean
+of the former from both ends: so they stay positive.
 """
 
 import numpy as np
@@ -16,14 +21,14 @@ from plusedit.geometry.mesh.flattening.sheet import Sheet
 
 STEEPEST = 1e4  # of the tangents of half the angles: those of slivers are kept within reason
 SHORTEST = 1e-6  # of the mean edge
+LEAST = 0.1  # of the mean value weights
 
 
 def half_tangents(sheet: Sheet) -> Floats:
     """(t, 3) tan(angle / 2) of every corner, between 1e-4 and 1e4."""
     around = sheet.points[sheet.triangles]
     after = np.roll(around, -1, axis=1) - around
-    before = np.roll(around, 1, axis=1) - around
-    along = np.einsum("tcd,tcd->tc", after, before)
+    along = -np.einsum("tcd,tcd->tc", after, np.roll(after, 1, axis=1))
     product = sheet.lengths * np.roll(sheet.lengths, 1, axis=1)
     across = np.broadcast_to(sheet.doubled_areas[:, None], along.shape)
     # Of the two forms of the tangent the one that doesn't cancel.
@@ -32,27 +37,34 @@ def half_tangents(sheet: Sheet) -> Floats:
     below = np.where(acute, product + along, across)
     with np.errstate(divide="ignore", invalid="ignore"):
         ratio = above / below
-    return np.clip(np.nan_to_num(ratio, nan=1.0, posinf=STEEPEST), 1.0 / STEEPEST, STEEPEST)
+    tangents: Floats = np.clip(np.nan_to_num(ratio, nan=1.0), 1.0 / STEEPEST, STEEPEST)
+    return tangents
 
 
 def mean_value_weights(sheet: Sheet) -> Floats:
     """(t, 3, 2) what every corner adds to the weights from it to the next and to the one before."""
-    return _over_lengths(sheet, np.repeat(half_tangents(sheet)[:, :, None], 2, axis=2))
-
-
-def symmetric_weights(sheet: Sheet) -> Floats:
-    """(t, 3, 2) the same, but of every edge the mean from both ends."""
+    mean = float(sheet.lengths.mean())
+    lengths = np.maximum(sheet.lengths, SHORTEST * mean if mean > 0.0 else 1.0)
     tangents = half_tangents(sheet)
-    along = 0.5 * (tangents + np.roll(tangents, -1, axis=1))
-    return _over_lengths(sheet, np.stack([along, np.roll(along, 1, axis=1)], axis=2))
+    return np.stack([tangents / lengths, tangents / np.roll(lengths, 1, axis=1)], axis=2)
 
 
-def _over_lengths(sheet: Sheet, values: Floats) -> Floats:
-    mean = float(sheet.lengths.mean()) if sheet.lengths.size else 1.0
-    floor = SHORTEST * mean if mean > 0.0 else 1.0
-    lengths = np.maximum(sheet.lengths, floor)
-    weights: Floats = values / np.stack([lengths, np.roll(lengths, 1, axis=1)], axis=2)
-    return weights
+def conformal_weights(sheet: Sheet) -> Floats:
+    """(t, 3, 2) the same of positive cotangent weights, which both ends of an edge share."""
+    tangents = half_tangents(sheet)
+    cotangents = np.roll(0.5 * (1.0 / tangents - tangents), 1, axis=1)
+    floors = 0.5 * LEAST * (tangents + np.roll(tangents, -1, axis=1))
+    inside = sheet.opposite >= 0
+    shared = np.where(inside, 0.5, 1.0).reshape(-1, 3)
+    edges = shared * np.maximum(_both_sides(sheet, cotangents), _both_sides(sheet, floors))
+    return np.stack([edges, np.roll(edges, 1, axis=1)], axis=2)
+
+
+def _both_sides(sheet: Sheet, values: Floats) -> Floats:
+    """(t, 3) of every half-edge its value and that of the opposite one together."""
+    flat = values.ravel()
+    across = np.where(sheet.opposite >= 0, flat[sheet.opposite], 0.0)
+    return (flat + across).reshape(-1, 3)
 
 
 def energies(sheet: Sheet, places: Floats) -> Floats:

@@ -13,10 +13,10 @@ from plusedit.geometry.mesh.flattening.paths import (
     path_between,
 )
 from plusedit.geometry.mesh.flattening.sheet import Indices, Sheet
-from plusedit.geometry.mesh.flattening.weights import energies, symmetric_weights
+from plusedit.geometry.mesh.flattening.weights import conformal_weights, energies
 from plusedit.geometry.mesh.maps import Layout, Subject, holes, register
 
-LONG = 0.5  # of the mean girth: a shorter rim is a hole
+LONG = 0.25  # of the mean girth: a shorter rim is a hole
 LONGEST = 1e4  # of the girths
 
 
@@ -51,7 +51,7 @@ class Cylinder:
             sheet, rings[0] = sheet.collared(rings[0])
             sheet, rings[1] = sheet.collared(rings[1])
         low, high = (sheet.tails[ring] for ring in rings)
-        chart, weights = _chart(sheet, low, high), symmetric_weights(sheet)
+        chart, weights = _chart(sheet, low, high), conformal_weights(sheet)
         ends = np.repeat([[0.0], [1.0]], (len(low), len(high)), axis=0)
         v = solution(sheet, weights, Pins(np.concatenate([low, high]), ends))
         subject.progress(0.5, "going around the cylinder")

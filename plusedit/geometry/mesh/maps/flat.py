@@ -2,11 +2,10 @@
 
 import numpy as np
 
-from plusedit.geometry.arrays import Floats
 from plusedit.geometry.mesh.domains import PlaneDomain
+from plusedit.geometry.mesh.flattening.normals import mean_normal, seen_along
 from plusedit.geometry.mesh.flattening.overlaps import overlaps
 from plusedit.geometry.mesh.maps import Layout, Subject, register
-from plusedit.geometry.mesh.polygons import PolygonMesh
 
 TILT = np.cos(np.radians(30.0))  # of a normal to the mean one; angles grow by 1.15 at most
 
@@ -21,41 +20,16 @@ class Flat:
 
     def drawback(self, subject: Subject) -> str:
         mesh = subject.mesh
+        first, second, third = mesh.vertices[mesh.triangulation.triangles].transpose(1, 0, 2)
+        normals = np.cross(second - first, third - first)
         normal = mean_normal(mesh)
-        if (mesh.area_vectors @ normal < TILT * mesh.areas).any():
+        if (normals @ normal < TILT * subject.sheet.doubled_areas).any():
             return "some faces are tilted by more than 30 degrees"
         places = seen_along(mesh, normal)
-        first, second, third = places.transpose(1, 2, 0)
-        (a, b), (c, d) = second - first, third - first
-        if (a * d - b * c < 0.0).any():
-            return "some faces are folded over"
         return "parts lie above each other" if overlaps(subject.sheet, places) else ""
 
     def layout(self, subject: Subject) -> Layout:
         return Layout(PlaneDomain(), seen_along(subject.mesh, mean_normal(subject.mesh)))
-
-
-def mean_normal(mesh: PolygonMesh) -> Floats:
-    """(3,) of unit length, or zero where the faces' normals cancel."""
-    total = mesh.area_vectors.sum(axis=0)
-    length = float(np.linalg.norm(total))
-    return total / length if length > 0.0 else np.zeros(3)
-
-
-def seen_along(mesh: PolygonMesh, normal: Floats) -> Floats:
-    """(t, 3, 2) the triangles seen against the normal, the larger extent being one.
-
-    The first axis is the one of space most across the normal: a sheet that faces up keeps x and y.
-    """
-    axis = np.eye(3)[1 if abs(normal[0]) > 0.9 else 0]
-    # Along the axis as far as the normal leaves it; then a right angle from both.
-    first = axis - (axis @ normal) * normal
-    first /= np.linalg.norm(first)
-    flat = (mesh.vertices - mesh.bounds[0]) @ np.stack([first, np.cross(normal, first)], axis=1)
-    flat -= flat[mesh.used].min(axis=0)
-    extent = float(flat[mesh.used].max())
-    seen: Floats = flat[mesh.triangulation.triangles] / extent
-    return seen
 
 
 register("flat")(Flat())

@@ -6,7 +6,7 @@ from plusedit.geometry.mesh.domains import TorusDomain
 from plusedit.geometry.mesh.flattening.equations import Chart, Pins, solution
 from plusedit.geometry.mesh.flattening.lattices import leading_around, reduced_basis
 from plusedit.geometry.mesh.flattening.sheet import Sheet
-from plusedit.geometry.mesh.flattening.weights import energies, symmetric_weights
+from plusedit.geometry.mesh.flattening.weights import conformal_weights, energies
 from plusedit.geometry.mesh.maps import Layout, Subject, all_filled, register
 
 LONGEST = 1e4  # of the periods to each other
@@ -30,7 +30,7 @@ class Torus:
         chart = _chart(sheet)
         subject.progress(0.3, "laying out the torus")
         pin = Pins(sheet.tails[:1], np.zeros((1, 2)))
-        places = chart.places(sheet, solution(sheet, symmetric_weights(sheet), pin, chart))
+        places = chart.places(sheet, solution(sheet, conformal_weights(sheet), pin, chart))
         subject.progress(0.9, "fitting the periods")
         places = places @ reduced_basis(energies(sheet, places)).T
         energy = energies(sheet, places)
