@@ -47,6 +47,7 @@ MOUSE = (
         "to the plane across it",
     ),
     ("3D: drag an arrow or a ring", "Move along it, turn about it"),
+    ("O while dragging a point", "Soft move: neighbors follow; the wheel, or [ and ], set how far"),
     ("Double-click an edge of a net", "Select that row of control planes"),
     ("Double-click the s slider", "Measure L anew and go back to s = L / 2"),
 )
