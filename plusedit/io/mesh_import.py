@@ -1,0 +1,274 @@
+"""Files of meshes and terrains made into smooth surfaces, one for each connected part.
+
+Read, repaired and parted, split where faces are uneven, given parameters by the map that suits, and
+blended: what was found and done on the way is in the report.
+"""
+
+import hashlib
+import os
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+from types import MappingProxyType
+
+import numpy as np
+
+from plusedit.document.design import Design
+from plusedit.document.shape import NOTHING, Shape, ShapeId, Tree
+from plusedit.geometry.arrays import Floats
+from plusedit.geometry.mesh.deviation import deviation
+from plusedit.geometry.mesh.mapping import Mapped, mapped
+from plusedit.geometry.mesh.maps import Progress, maps, silent
+from plusedit.geometry.mesh.mesh_surface import USUAL_SMOOTHNESS, MeshSurface
+from plusedit.geometry.mesh.polygons import PolygonMesh
+from plusedit.geometry.mesh.refine import FEWEST, needs_refining, refined
+from plusedit.geometry.mesh.repair import Part, Repaired, repaired
+from plusedit.io.fields import within
+from plusedit.io.files import shown_name
+from plusedit.io.formats import FormatError
+from plusedit.io.mesh_file import MeshFile
+from plusedit.io.mesh_reading import read_mesh
+from plusedit.io.mesh_report import ImportReport, PartReport, faces_by_corners
+
+READ, REPAIRED = 0.15, 0.3  # of all the time, about
+MAPPED = 0.8  # of the time of one part, if its deviation is measured after
+CHUNK = 1 << 20  # bytes
+MOST = 256  # parts: crumbs beyond would take long and help nobody
+TIMES = 2  # that faces are split if some reach around half of the domain
+NOT_SUITED = "does not suit"  # the words of `mapped`
+
+
+@dataclass(frozen=True)
+class ImportOptions:
+    """What a person may choose."""
+
+    smoothness: float = USUAL_SMOOTHNESS
+    s: float = 1.0
+    area_weights: bool = False
+    refine: bool = True
+    """whether large and thin faces are split before"""
+    map_name: str | None = None
+    """of the map for all parts that it suits; None takes for each the one that suits best"""
+    measure: bool = False
+    """whether the deviation from the mesh is measured, which takes as long as all else"""
+
+
+@dataclass(frozen=True, eq=False)
+class ImportedPart:
+    """A part as a surface."""
+
+    name: str
+    surface: MeshSurface
+    report: PartReport
+
+
+@dataclass(frozen=True, eq=False)
+class Imported:
+    """The parts of a file, the largest first; at least one."""
+
+    parts: tuple[ImportedPart, ...]
+    report: ImportReport
+    source: Tree = field(default_factory=lambda: NOTHING)
+    """where the mesh came from, as design files tell it"""
+
+    @property
+    def shapes(self) -> tuple[tuple[ShapeId, Shape], ...]:
+        """A shape for each part, with its id."""
+        extra = MappingProxyType({"source": self.source}) if self.source else NOTHING
+        return tuple(
+            (ShapeId(f"mesh-{number}"), Shape(part.surface, part.name, extra=extra))
+            for number, part in enumerate(self.parts, 1)
+        )
+
+    @property
+    def design(self) -> Design:
+        """A design of these shapes alone."""
+        return Design(dict(self.shapes))
+
+
+def import_mesh(
+    path: str | os.PathLike[str],
+    options: ImportOptions = ImportOptions(),
+    tell: Progress = silent,
+) -> Imported:
+    """The surfaces of a file of a mesh or a terrain.
+
+    `tell` is told what share is done and what comes next; what it raises ends the work.
+    FormatError in one sentence, which begins with the name of the file.
+    """
+    place = Path(path)
+    tell(0.0, "Reading the file")
+    read = read_mesh(place)
+    source = MappingProxyType({"file": place.name, "sha256": _digest(place)})
+    return _with_source(smoothed(read, shown_name(place), options, tell), source)
+
+
+def smoothed(
+    read: MeshFile,
+    name: str,
+    options: ImportOptions = ImportOptions(),
+    tell: Progress = silent,
+) -> Imported:
+    """The surfaces of a mesh that was read from a file of that name."""
+    with within(name):
+        _check_map(options.map_name)
+        tell(READ, "Mending the mesh")
+        mended = repaired(read.mesh)
+        parts, notes = _parts(read, mended, Path(name).stem, options, tell)
+        if not parts:
+            raise FormatError(notes[-1])
+        if options.map_name is not None:
+            _check_taken(parts, notes, options.map_name)
+    reports = tuple(part.report for part in parts)
+    told = ImportReport(name, (*read.notes, *mended.notes, *notes), reports)
+    return Imported(tuple(parts), told)
+
+
+def _with_source(imported: Imported, source: Tree) -> Imported:
+    return Imported(imported.parts, imported.report, source)
+
+
+def _digest(place: Path) -> str:
+    digest = hashlib.sha256()
+    with place.open("rb") as file:
+        while piece := file.read(CHUNK):
+            digest.update(piece)
+    return digest.hexdigest()
+
+
+def _check_map(name: str | None) -> None:
+    if name is not None and name not in maps:
+        raise FormatError(f"there is no map {name!r}; there are {', '.join(sorted(maps))}")
+
+
+def _check_taken(parts: list[ImportedPart], notes: list[str], name: str) -> None:
+    """FormatError where the map that was wished for suits no part."""
+    if all(part.report.map_name != name for part in parts):
+        raise FormatError(next(note for note in notes if NOT_SUITED in note))
+
+
+def _parts(
+    read: MeshFile, mended: Repaired, stem: str, options: ImportOptions, tell: Progress
+) -> tuple[list[ImportedPart], list[str]]:
+    """The parts that became surfaces, and notes on them and on those that did not."""
+    parts: list[ImportedPart] = []
+    notes: list[str] = []
+    several, taken = len(mended.parts) > 1, mended.parts[:MOST]
+    area = sum(float(part.mesh.areas.sum()) for part in taken)
+    done, whole = 0, max(sum(part.mesh.face_count for part in taken), 1)
+    for number, part in enumerate(taken, 1):
+        name = f"{stem} {number}" if several else stem
+        before = REPAIRED + (1.0 - REPAIRED) * done / whole
+        share = (1.0 - REPAIRED) * part.mesh.face_count / whole
+        told = _within_share(tell, before, share)
+        try:
+            found = _part(_Piece(read, part, name, area), options, told)
+        except ValueError as error:
+            if not several:
+                raise
+            notes.append(f"{name} was left out: {error}")
+        else:
+            parts.append(found)
+            notes += [f"{name}: {note}" if several else note for note in found.report.notes]
+        done += part.mesh.face_count
+    if len(mended.parts) > MOST:
+        notes.append(f"{len(mended.parts) - MOST} smaller parts beside {MOST} were left out")
+    tell(1.0, "Done")
+    return parts, notes
+
+
+def _within_share(tell: Progress, before: float, share: float) -> Progress:
+    """Progress of a piece of the work that begins at `before`."""
+
+    def told(of_piece: float, words: str) -> None:
+        tell(before + share * min(of_piece, 1.0), words[:1].upper() + words[1:])
+
+    return told
+
+
+@dataclass(frozen=True, eq=False)
+class _Piece:
+    """A part on its way to a surface."""
+
+    read: MeshFile
+    part: Part
+    name: str
+    area: float
+    """of all parts together"""
+
+
+def _part(piece: _Piece, options: ImportOptions, tell: Progress) -> ImportedPart:
+    """One part as a surface. ValueError where it can't be."""
+    read, part = piece.read, piece.part
+    uv = None if read.uv is None else read.uv[part.corners]
+    tell(0.0, "looking at the faces")
+    mesh, uv, notes = _evened(part.mesh, uv, piece.area, options)
+    told = _within_share(tell, 0.0, MAPPED if options.measure else 1.0)
+    found, more = _mapped(mesh, uv, read.is_height_field, options, told)
+    if options.refine and _reaches_around(mesh, found):
+        split = mesh.subdivided(TIMES)
+        notes += (f"the faces were split into {split.mesh.face_count}: some were half of the map",)
+        mesh, uv = split.mesh, None if uv is None else split.along(uv)
+        found, more = _mapped(mesh, uv, read.is_height_field, options, told)
+    surface = MeshSurface(
+        mesh, found.domain, found.parameters, options.smoothness, options.s, options.area_weights
+    )
+    _ = surface.foundation.planes  # so that nobody who draws the surface has to wait for them
+    if options.measure:
+        tell(MAPPED, "measuring how far the surface is from the mesh")
+    component = part.mesh.topology.components[0]
+    report = PartReport(
+        piece.name,
+        faces_by_corners(part.mesh),
+        component.vertices,
+        component.boundaries,
+        component.handles,
+        found.name,
+        found.title,
+        found.why,
+        found.flips,
+        (*notes, *more, *found.notes),
+        deviation(surface) if options.measure else None,
+    )
+    return ImportedPart(piece.name, surface, report)
+
+
+def _reaches_around(mesh: PolygonMesh, found: Mapped) -> bool:
+    """Whether some face reaches half around the domain, or farther."""
+    high = np.maximum.reduceat(found.parameters, mesh.starts[:-1])
+    low = np.minimum.reduceat(found.parameters, mesh.starts[:-1])
+    return bool((high - low >= 0.5 * np.array(found.domain.periods)).any())
+
+
+def _evened(
+    mesh: PolygonMesh, uv: Floats | None, area: float, options: ImportOptions
+) -> tuple[PolygonMesh, Floats | None, tuple[str, ...]]:
+    """The mesh with large and thin faces split, if that is wished, and what to tell."""
+    uneven = needs_refining(mesh)
+    if not uneven:
+        return mesh, uv, ()
+    if not options.refine:
+        return mesh, uv, (f"{uneven.why} would better be split",)
+    # Each part has its share of the faces, so that crumbs of a mesh don't get as many as it has.
+    share = float(mesh.areas.sum()) / area if area > 0.0 else 1.0
+    split = refined(mesh, wanted=max(mesh.face_count, round(share * FEWEST)))
+    return split.mesh, None if uv is None else split.along(uv), split.notes
+
+
+def _mapped(
+    mesh: PolygonMesh,
+    uv: Floats | None,
+    is_height_field: bool,
+    options: ImportOptions,
+    tell: Callable[[float, str], None],
+) -> tuple[Mapped, tuple[str, ...]]:
+    """By the map that was wished for if it suits, else by another one, and what to tell."""
+    wish = options.map_name
+    if wish is not None:
+        try:
+            found = mapped(mesh, uv=uv, is_height_field=is_height_field, wish=wish, progress=tell)
+        except ValueError as error:
+            instead = mapped(mesh, uv=uv, is_height_field=is_height_field, progress=tell)
+            return instead, (str(error),)
+        return found, ()
+    return mapped(mesh, uv=uv, is_height_field=is_height_field, progress=tell), ()
