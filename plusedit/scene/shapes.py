@@ -18,7 +18,7 @@ from plusedit.scene.drawn import drawn
 from plusedit.scene.drawn_surface import Grids
 from plusedit.scene.handles import handle_shapes
 from plusedit.scene.isolines import isoline_items, isolines
-from plusedit.scene.items import Item, Label, Patch, Polyline, Segments
+from plusedit.scene.items import Item, Label, Mesh, Patch, Polyline, Segments
 from plusedit.scene.options import ViewOptions
 from plusedit.scene.overlays import in_order
 from plusedit.scene.silhouettes import silhouette
@@ -148,5 +148,9 @@ def is_finite(item: Item) -> bool:
             return bool(np.isfinite(at).all())
         case Patch():
             return True
+        case Mesh(points, _, normals):
+            # Areas and squares of what is huge are beyond a double before the points are.
+            is_whole = normals is None or bool(np.isfinite(normals).all())
+            return is_whole and bool(np.isfinite(points).all())
         case _:
             return bool(np.isfinite(item.points).all())

@@ -7,6 +7,7 @@ os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 from pathlib import Path
 
 import pytest
+from PySide6.QtCore import QCoreApplication, QEvent
 
 from plusedit.document.selection import LineId, Selection
 from tests.designs import DOCUMENT
@@ -65,6 +66,8 @@ def window(qtbot, qapp, settings, tmp_path):
     window.show()
     qtbot.waitExposed(window)
     yield window
+    # Closed by now, but not gone: hundreds of windows would take the next style with them.
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     qapp.setStyleSheet("")
 
 

@@ -332,7 +332,7 @@ def test_a_drag_draws_no_other_shape_again(canvas, session, monkeypatch):
     drawn = []
     from plusedit.views import strata
 
-    def noting(design, camera, options, selection, *, only, glow):
+    def noting(design, camera, options, selection, *, only, glow, wait):
         drawn.extend(only)
         return ()
 
