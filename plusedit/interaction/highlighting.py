@@ -19,6 +19,7 @@ from plusedit.scene.drawn_surface import surface_grids
 from plusedit.scene.isolines import isolines
 from plusedit.scene.items import Item, Polyline, Segments
 from plusedit.scene.mesh_shapes import mesh_silhouette
+from plusedit.scene.silhouettes import silhouette
 
 WIDTH = 3.0  # pixels
 
@@ -43,8 +44,9 @@ def highlight(hit: Hit, stage: Stage) -> Iterator[Item]:
     elif isinstance(geometry, PlusCurve):
         yield Polyline(drawn(geometry, stage.camera).points, "hover", WIDTH)
     elif isinstance(geometry, PlusSurface):
-        lines = isolines(geometry, surface_grids(geometry, stage.camera))
-        for points in lines.edges or (*lines.along_u, *lines.along_v):
+        grids = surface_grids(geometry, stage.camera)
+        outlines = silhouette(geometry, stage.camera, grids)
+        for points in (*isolines(geometry, grids).edges, *outlines):
             yield Polyline(points, "hover", WIDTH)
 
 

@@ -97,16 +97,19 @@ def surface_line_items(
     selected: bool,
     inner: bool = True,
     glow: bool = True,
+    draft: bool = False,
 ) -> Iterator[Item]:
     """The edges and the silhouette of a surface in that color, with a glow where it is selected.
 
-    With `inner` the lines on it, too.
+    With `inner` the lines on it, too; in a `draft` no silhouette, which takes longer than the rest.
     """
     if inner:
         yield from isoline_items(surface, grids, FAINT if shape.locked else "")
     width = EDGE if shape.style.width is None else max(shape.style.width, THINNEST)
     color = color + DIM if shape.locked else color
-    outlines = (*isolines(surface, grids).edges, *silhouette(surface, camera, grids))
+    outlines = isolines(surface, grids).edges
+    if not draft:
+        outlines = (*outlines, *silhouette(surface, camera, grids))
     if selected and glow:
         yield from (Polyline(points, GLOW, width + HALO) for points in outlines)
     yield from (Polyline(points, color, width) for points in outlines)

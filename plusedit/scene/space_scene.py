@@ -142,7 +142,14 @@ def _shape(
     yield _patch(shape, geometry, grids, options)
     color = "selected" if selected else "line"
     yield from surface_line_items(
-        shape, geometry, camera, grids, color=color, selected=selected, inner=options.isolines
+        shape,
+        geometry,
+        camera,
+        grids,
+        color=color,
+        selected=selected,
+        inner=options.isolines,
+        draft=draft,
     )
 
 
