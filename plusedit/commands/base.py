@@ -3,17 +3,19 @@
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
-from typing import Literal, TypeAlias
+from typing import Literal, TypeAlias, TypeVar
 
 import numpy as np
 
 from plusedit.document.design import Design, EditError
 from plusedit.document.selection import Selection
-from plusedit.document.shape import PlusGeometry, Shape, ShapeId
+from plusedit.document.shape import Geometry, PlusGeometry, Shape, ShapeId
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.net import ControlNet
 from plusedit.geometry.surface import PlusSurface, Way
+
+Kind = TypeVar("Kind", bound=Geometry)
 
 Targets = Mapping[ShapeId, tuple[int, ...]]
 """Numbers of control lines and planes by shape, as `Selection.targets` gives them."""
@@ -152,14 +154,25 @@ def kind_of_shape(shape: Shape) -> str:
 def edit_shapes(
     design: Design, ids: Iterable[ShapeId], edit: Callable[[ShapeId, PlusGeometry], PlusGeometry]
 ) -> Design:
+    """`edit_geometries` of curves and surfaces: EditError where a shape is of another kind."""
+    return edit_geometries(design, ids, design.plus, edit)
+
+
+def edit_geometries(
+    design: Design,
+    ids: Iterable[ShapeId],
+    geometry_of: Callable[[ShapeId], Kind],
+    edit: Callable[[ShapeId, Kind], Kind],
+) -> Design:
     """The design with `edit` done to every shape named; the same design if it changes none.
 
-    All or nothing. EditError where a shape is locked, hidden, missing or no curve or surface; a
-    ValueError of `edit` becomes an EditError that names the shape.
+    All or nothing. EditError where a shape is locked, hidden or missing, and what `geometry_of`
+    raises where it is of another kind; a ValueError of `edit` becomes an EditError that names the
+    shape.
     """
     found: dict[ShapeId, Shape] = {}
     for shape_id in ids:
-        shape, geometry = unlocked(design, shape_id), design.plus(shape_id)
+        shape, geometry = unlocked(design, shape_id), geometry_of(shape_id)
         try:
             edited = edit(shape_id, geometry)
         except EditError:
@@ -167,7 +180,7 @@ def edit_shapes(
         except ValueError as error:
             raise EditError(f"{shape.name}: {error}") from error
         if edited is not geometry:
-            found[shape_id] = shape.with_plus(edited)
+            found[shape_id] = replace(shape, geometry=edited)
     return with_shapes(design, found)
 
 

@@ -9,10 +9,9 @@ import numpy as np
 from plusedit.commands.base import (
     Command,
     Targets,
+    edit_geometries,
     fitted,
     fitted_matrix,
-    unlocked,
-    with_shapes,
 )
 from plusedit.document.design import Design, EditError
 from plusedit.document.shape import ShapeId
@@ -25,23 +24,8 @@ LEAST, MOST = 1e-3, 1e3  # smoothness that anyone has a use for
 def edit_meshes(
     design: Design, ids: Iterable[ShapeId], edit: Callable[[ShapeId, MeshSurface], MeshSurface]
 ) -> Design:
-    """The design with `edit` done to the surface of every mesh named; itself if it changes none.
-
-    All or nothing. EditError where a shape is locked, hidden, missing or no mesh; a ValueError of
-    `edit` becomes an EditError that names the shape.
-    """
-    found = {}
-    for shape_id in ids:
-        shape, surface = unlocked(design, shape_id), design.mesh(shape_id)
-        try:
-            edited = edit(shape_id, surface)
-        except EditError:
-            raise
-        except ValueError as error:
-            raise EditError(f"{shape.name}: {error}") from error
-        if edited is not surface:
-            found[shape_id] = replace(shape, geometry=edited)
-    return with_shapes(design, found)
+    """`edit_geometries` of meshes: EditError where a shape is of another kind."""
+    return edit_geometries(design, ids, design.mesh, edit)
 
 
 @dataclass(frozen=True, eq=False)

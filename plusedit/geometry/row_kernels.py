@@ -5,43 +5,17 @@ that is what compiles to instructions on many numbers at once. One thread works 
 than half a millisecond of work a second one costs more than it gains.
 """
 
-from collections.abc import Callable
-from typing import Any, TypeVar
-
-import numba
 import numpy as np
 from numpy.typing import NDArray
 
 from plusedit.geometry.arrays import Floats
+from plusedit.geometry.compiling import compiled, inlined
 
-Kernel = TypeVar("Kernel", bound=Callable[..., None])
 Columns = NDArray[np.intp]
 Singles = NDArray[np.float32]
 
 STRETCH = 768  # numbers of a row at a time: with those of its neighbors they stay in the cache
 TILE = 16  # rows turned into columns at a time
-
-OPTIONS: dict[str, Any] = {
-    "nogil": True,
-    # Sums may be taken in any order; but nothing may be assumed of zeros over zeros.
-    "fastmath": {"contract", "reassoc", "arcp", "nsz"},
-    "error_model": "numpy",
-}
-
-
-def compiled(function: Kernel) -> Kernel:
-    """The function as machine code, kept from one process to the next where that is possible."""
-    try:
-        kernel: Kernel = numba.njit(cache=True, **OPTIONS)(function)
-    except RuntimeError:  # there is no folder that can be written to
-        kernel = numba.njit(**OPTIONS)(function)
-    return kernel
-
-
-def inlined(function: Kernel) -> Kernel:
-    """The function as a part of those that call it."""
-    kernel: Kernel = numba.njit(inline="always", **OPTIONS)(function)
-    return kernel
 
 
 @inlined
