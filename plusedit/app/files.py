@@ -2,19 +2,23 @@
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import Protocol, TypeVar
+from typing import TYPE_CHECKING, Protocol, TypeVar
 
 from PySide6.QtWidgets import QWidget
 
 from plusedit.app.background import CancelledError, Progress, in_background
 from plusedit.app.dialogs import DESIGN_SUFFIX, Dialogs
-from plusedit.app.mesh_opening import MeshReport, Opened, is_mesh, opened
+from plusedit.app.mesh_opening import is_mesh, opened, told
 from plusedit.app.settings import Settings
 from plusedit.document.design import Design
 from plusedit.events import Event
 from plusedit.io.formats import FormatError, Loaded
 from plusedit.resources import is_shipped
 from plusedit.views.desk import Desk
+
+if TYPE_CHECKING:
+    from plusedit.io.mesh_import import Imported
+    from plusedit.io.mesh_report import ImportReport
 
 UNTITLED = "Untitled"
 
@@ -46,7 +50,7 @@ class Files:
         """emitted when another design was put into the window"""
         self.notes: Event[str, tuple[str, ...]] = Event()
         """the name of a file, and what was repaired, left out or changed in reading it"""
-        self.reported: Event[MeshReport] = Event()
+        self.reported: Event[ImportReport] = Event()
         """what there is to tell of the mesh in a file"""
         self._desk, self._settings = desk, settings
         self._parent, self._view = parent, view
@@ -96,11 +100,11 @@ class Files:
             return False
         self.show(found.design, path)
         self._remember(path)
-        self.notes.emit(path.name, found.report.told)
+        self.notes.emit(path.name, told(found.report))
         self.reported.emit(found.report)
         return True
 
-    def read_mesh(self, path: Path) -> Opened | None:
+    def read_mesh(self, path: Path) -> "Imported | None":
         """The shapes in the file of a mesh, without the window standing still; errors are told."""
         progress = Progress()
         return self.read(path, lambda: opened(path, progress.tell), progress)

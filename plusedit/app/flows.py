@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QWidget
 from plusedit.app.autosave import Autosave, Left, left_behind
 from plusedit.app.clipboard import counted, fresh
 from plusedit.app.files import Files
+from plusedit.app.mesh_opening import told
 from plusedit.commands.shapes import AddShapes
 from plusedit.events import Event
 from plusedit.io.formats import Loaded
@@ -78,7 +79,7 @@ class Flows:
         shapes = fresh(self._desk.session.committed, found.shapes, np.zeros(2))
         if not self._desk.commit(AddShapes(shapes, name=f"Import {path.name}")):
             self._desk.say(f"Imported {counted(len(shapes))} from {path.name}.")
-            self._files.notes.emit(path.name, found.report.told)
+            self._files.notes.emit(path.name, told(found.report))
             self._files.reported.emit(found.report)
             self.imported.emit()
 

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from plusedit.app.mesh_opening import MeshReport
+from plusedit.io.mesh_report import ImportReport
 from plusedit.views.live import quiet, title
 
 SIZE = (560, 420)  # logical pixels
@@ -20,7 +20,7 @@ UNFOLDED = 4  # parts, up to which all of them are
 class MeshReportWindow(QDialog):
     """The parts with their numbers, and notes on repairs; stays open beside the window."""
 
-    def __init__(self, parent: QWidget, report: MeshReport) -> None:
+    def __init__(self, parent: QWidget, report: ImportReport) -> None:
         super().__init__(parent)
         self.setWindowTitle("Mesh report")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)

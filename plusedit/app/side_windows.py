@@ -8,9 +8,9 @@ from plusedit import __version__
 
 if TYPE_CHECKING:
     from plusedit.app.help_window import HelpWindow
-    from plusedit.app.mesh_opening import MeshReport
     from plusedit.app.palette import Palette
     from plusedit.app.window import MainWindow
+    from plusedit.io.mesh_report import ImportReport
 
 
 class SideWindows:
@@ -20,7 +20,7 @@ class SideWindows:
         self._window = window
         self.palette: Palette | None = None
         self.help: HelpWindow | None = None
-        self.mesh_report: MeshReport | None = None
+        self.mesh_report: ImportReport | None = None
         """of the mesh that was read last"""
 
     def show_palette(self) -> None:
@@ -49,7 +49,7 @@ class SideWindows:
         self.help = HelpWindow(self._window.actions_table, self._window)
         self.help.show()
 
-    def keep_mesh_report(self, report: "MeshReport") -> None:
+    def keep_mesh_report(self, report: "ImportReport") -> None:
         """Have that report at hand."""
         self.mesh_report = report
         self._window.actions_table.refresh()

@@ -8,7 +8,7 @@ if TYPE_CHECKING:
     from plusedit.io.exporting import Tolerance
 
 NAME = "export"
-HELP = "write curves and surfaces as OBJ, PLY, STL or GLB"
+HELP = "write curves, surfaces and meshes as OBJ, PLY, STL or GLB"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

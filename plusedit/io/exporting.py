@@ -5,10 +5,11 @@ diagonal of the box about what is exported.
 """
 
 import os
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from math import isfinite
 from pathlib import Path
+from typing import TypeAlias
 
 import numpy as np
 
@@ -17,18 +18,23 @@ from plusedit.document.shape import Shape, ShapeId
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.blend import Grid
 from plusedit.geometry.curve import PlusCurve
+from plusedit.geometry.mesh.mesh_surface import MeshSurface
+from plusedit.geometry.mesh.polygons import PolygonMesh
 from plusedit.geometry.surface import PlusSurface
 from plusedit.geometry.surface_tessellate import affordable_tessellation
 from plusedit.geometry.tessellate import tessellation
-from plusedit.io.exports import Export, exports
+from plusedit.io.exports import Export, Meshed, exports
 from plusedit.io.fields import of_number, within
 from plusedit.io.files import by_suffix, replacing
 from plusedit.io.formats import FormatError
 from plusedit.io.json_text import shown
+from plusedit.io.mesh_piece import MeshPiece, pieced, times_within
 from plusedit.io.surface_mesh import Strand, SurfaceMesh, meshed
 
 SEEN = Grid.uniform(33)  # where the size of a design is measured
 MOST = 1_000_000  # points of one surface
+
+Times: TypeAlias = Callable[[PolygonMesh], int]
 
 
 @dataclass(frozen=True)
@@ -73,17 +79,20 @@ class Report:
     curves: int
     points: int
     faces: int
-    tolerance: float
-    """a length"""
+    tolerance: float | None
+    """a length; None where it was not asked for"""
     left_out: tuple[str, ...]
     """one sentence for each shape, and for each that is coarser than was asked"""
     is_coarser: bool = False
     """whether one is"""
+    meshes: int = 0
+    """surfaces of meshes"""
 
     def __str__(self) -> str:
         """Such as "2 surfaces and 1 curve: 800 points, 760 faces, within 0.0021"."""
-        within = "" if self.is_coarser else f", within {self.tolerance:.2g}"
-        kinds = [("surface", self.surfaces), ("curve", self.curves)]
+        is_known = self.tolerance is not None and not self.is_coarser
+        within = f", within {self.tolerance:.2g}" if is_known else ""
+        kinds = [("surface", self.surfaces), ("mesh", self.meshes), ("curve", self.curves)]
         shapes = " and ".join(of_number(count, noun) for noun, count in kinds if count)
         counts = f"{of_number(self.points, 'point')}, {of_number(self.faces, 'face')}"
         return f"{shapes}: {counts}{within}"
@@ -99,35 +108,76 @@ def export_design(
     path: str | os.PathLike[str],
     shapes: Iterable[ShapeId] | None = None,
     tolerance: Tolerance = USUAL,
+    *,
+    times: Times | None = None,
 ) -> Report:
     """Write curves and surfaces as the suffix of `path` says, all of it or nothing.
 
-    All that are visible, or the named `shapes`, hidden ones too. FormatError in one sentence, also
-    if nothing is left to write, or if a named shape can't be.
+    All that are visible, or the named `shapes`, hidden ones too. `times` says how often the faces
+    of a mesh are split into smaller ones, whatever the tolerance is. FormatError in one sentence,
+    also if nothing is left to write, or if a named shape can't be.
     """
     entry = export_of(path)
     with replacing(path) as stream:
         chosen, left_out = _chosen(design, shapes, entry)
         length = tolerance.length(_size(chosen))
-        strands, meshes, coarse = [], [], []
+        pieces = Pieces(entry, length, times)
         for shape in chosen:
             with within(f"shape {shown(shape.name)}"):
-                if shape.curve is not None:
-                    strands.append(_strand(shape, shape.curve, length))
-                elif shape.surface is not None:
-                    made = affordable_tessellation(shape.surface, length, MOST)
-                    meshes.append(_mesh(shape, shape.surface, made.by_u, made.by_v, entry))
-                    if made.tolerance > length:
-                        coarse.append(_coarse(shape.name))
-        entry.write(stream, meshes, strands)
-    points = sum(len(strand.points) for strand in strands) + sum(map(len, meshes))
-    faces = sum(sum(m.face_counts) if entry.has_quads else m.triangle_count for m in meshes)
-    told = (*left_out, *coarse)
-    return Report(len(meshes), len(strands), points, faces, length, told, bool(coarse))
+                pieces.add(shape)
+        entry.write(stream, pieces.meshes, pieces.strands)
+    return pieces.report(left_out)
 
 
-def _coarse(name: str) -> str:
-    return f"{shown(name)} is coarser than asked: no more than {MOST} points are made"
+class Pieces:
+    """What is written, shape by shape."""
+
+    def __init__(self, entry: Export, length: float, times: Times | None) -> None:
+        self.meshes: list[Meshed] = []
+        self.strands: list[Strand] = []
+        self._entry, self._length, self._times = entry, length, times
+        self._coarse: list[str] = []
+
+    def add(self, shape: Shape) -> None:
+        """Add what the shape becomes. ValueError where that can't be written."""
+        length = self._length
+        if shape.curve is not None:
+            self.strands.append(_strand(shape, shape.curve, length))
+        elif shape.surface is not None:
+            made = affordable_tessellation(shape.surface, length, MOST)
+            self.meshes.append(_mesh(shape, shape.surface, made.by_u, made.by_v, self._entry))
+            self._note(shape, made.tolerance)
+        elif shape.mesh is not None:
+            if self._times is None:
+                times, reached = times_within(shape.mesh, length, MOST)
+            else:
+                times, reached = self._times(shape.mesh.mesh), 0.0
+            self.meshes.append(_piece(shape, shape.mesh, times, self._entry))
+            self._note(shape, reached)
+
+    def report(self, left_out: tuple[str, ...]) -> Report:
+        """What there is to say of it."""
+        pieces = sum(isinstance(mesh, MeshPiece) for mesh in self.meshes)
+        points = sum(map(len, self.meshes)) + sum(len(strand.points) for strand in self.strands)
+        quads = self._entry.has_quads
+        is_asked = self._times is None or pieces < len(self.meshes) + len(self.strands)
+        return Report(
+            len(self.meshes) - pieces,
+            len(self.strands),
+            points,
+            sum(mesh.face_count if quads else mesh.triangle_count for mesh in self.meshes),
+            self._length if is_asked else None,
+            (*left_out, *self._coarse),
+            bool(self._coarse),
+            pieces,
+        )
+
+    def _note(self, shape: Shape, reached: float) -> None:
+        if reached > self._length:
+            name = shown(shape.name)
+            self._coarse.append(
+                f"{name} is coarser than asked: no more than {MOST} points are made"
+            )
 
 
 def _chosen(
@@ -155,8 +205,6 @@ def _chosen(
 
 def _reason(shape: Shape, entry: Export) -> str:
     """Why it can't be written; empty if it can."""
-    if shape.mesh is not None:
-        return "a mesh can't be exported yet"
     if shape.curve is not None and not entry.has_curves:
         return f"{entry.title} has no curves"
     return ""
@@ -167,6 +215,7 @@ def _size(shapes: list[Shape]) -> float:
     points = [
         *(in_space(shape.curve.sample(SEEN)) for shape in shapes if shape.curve is not None),
         *(shape.surface.sample(SEEN, SEEN) for shape in shapes if shape.surface is not None),
+        *(np.stack(shape.mesh.mesh.bounds) for shape in shapes if shape.mesh is not None),
     ]
     every = np.concatenate([rows.reshape(-1, 3) for rows in points])
     size = float(np.linalg.norm(np.ptp(every, axis=0)))
@@ -187,6 +236,17 @@ def _mesh(shape: Shape, surface: PlusSurface, by_u: Grid, by_v: Grid, entry: Exp
     if not any(mesh.face_counts):
         raise FormatError("has no area")
     return mesh
+
+
+def _piece(shape: Shape, surface: MeshSurface, times: int, entry: Export) -> MeshPiece:
+    return pieced(
+        surface,
+        times,
+        name=shape.name,
+        color=shape.style.color,
+        numbers=entry.numbers,
+        has_polygons=entry.has_quads,
+    )
 
 
 def _strand(shape: Shape, curve: PlusCurve, tolerance: float) -> Strand:

@@ -27,6 +27,20 @@ class Faces:
     """(q, 4)"""
     triangles: Numbers
     """(t, 3)"""
+    others: Numbers | None = None
+    """(p, k) polygons of k > 4 corners, which a mesh has cut itself where triangles are wanted"""
+
+    @classmethod
+    def of_size(cls, points: Floats, corners: Numbers) -> "Faces":
+        """Faces (f, k) of k corners each."""
+        quads, triangles = np.empty((0, 4), np.int64), np.empty((0, 3), np.int64)
+        match corners.shape[1]:
+            case 3:
+                return cls(points, quads, corners)
+            case 4:
+                return cls(points, corners, triangles)
+            case _:
+                return cls(points, quads, triangles, corners)
 
     def cut(self) -> Numbers:
         """(2 q + t, 3) with every quad cut along the diagonal that gives the fuller triangles."""

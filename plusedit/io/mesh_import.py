@@ -96,7 +96,7 @@ def import_mesh(
     `tell` is told what share is done and what comes next; what it raises ends the work.
     FormatError in one sentence, which begins with the name of the file.
     """
-    place = Path(path)
+    place, tell = Path(path), _growing(tell)
     tell(0.0, "Reading the file")
     read = read_mesh(place)
     source = MappingProxyType({"file": place.name, "sha256": _digest(place)})
@@ -110,6 +110,7 @@ def smoothed(
     tell: Progress = silent,
 ) -> Imported:
     """The surfaces of a mesh that was read from a file of that name."""
+    tell = _growing(tell)
     with within(name):
         _check_map(options.map_name)
         tell(READ, "Mending the mesh")
@@ -175,6 +176,18 @@ def _parts(
         notes.append(f"{len(mended.parts) - MOST} smaller parts beside {MOST} were left out")
     tell(1.0, "Done")
     return parts, notes
+
+
+def _growing(tell: Progress) -> Progress:
+    """Progress that never goes back, though some of the work may have to be done again."""
+    told = 0.0
+
+    def growing(share: float, words: str) -> None:
+        nonlocal told
+        told = max(told, min(share, 1.0))
+        tell(told, words)
+
+    return growing
 
 
 def _within_share(tell: Progress, before: float, share: float) -> Progress:

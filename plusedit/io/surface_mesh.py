@@ -99,6 +99,11 @@ class SurfaceMesh:
         return sum(quads for quads, _ in counts), sum(triangles for _, triangles in counts)
 
     @property
+    def face_count(self) -> int:
+        """How many faces `faces` yields."""
+        return sum(self.face_counts)
+
+    @property
     def triangle_count(self) -> int:
         """How many triangles there are once every quad is cut in two."""
         quads, triangles = self.face_counts

@@ -36,10 +36,9 @@ def refused(*arguments):
 
 def test_what_is_left_out_is_told(tmp_path):
     report = export_design(DESIGN, tmp_path / "out.ply")
-    assert (report.surfaces, report.curves) == (1, 0)
+    assert (report.surfaces, report.meshes, report.curves) == (1, 1, 0)
     assert report.left_out == (
         '"Wing" is left out: Stanford PLY has no curves',
-        '"Knee" is left out: a mesh can\'t be exported yet',
         '"Ghost" is left out: it is hidden',
     )
 
@@ -53,7 +52,6 @@ def test_only_what_is_named_is_written_even_if_it_is_hidden(tmp_path):
     ("name", "why"),
     [
         ("gone", "the design has no such shape"),
-        ("knee", "a mesh can't be exported yet"),
         ("wing", "STL has no curves"),
     ],
 )
@@ -64,7 +62,7 @@ def test_what_is_named_and_can_not_be_written_is_refused(tmp_path, name, why):
 
 
 def test_nothing_to_write_is_told_with_the_first_reason(tmp_path):
-    only = Design({"wing": DESIGN["wing"], "knee": DESIGN["knee"]})
+    only = Design({"wing": DESIGN["wing"], "hidden": DESIGN["hidden"]})
     told = refused(only, tmp_path / "out.stl")
     assert told == 'out.stl: there is nothing to write; "Wing" is left out: STL has no curves'
 

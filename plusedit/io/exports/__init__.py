@@ -1,10 +1,14 @@
 """The shelf of exports: files of triangles and lines, for programs that know no plus shapes."""
 
 from collections.abc import Sequence
-from typing import Any, BinaryIO, Protocol
+from typing import Any, BinaryIO, Protocol, TypeAlias
 
+from plusedit.io.mesh_piece import MeshPiece
 from plusedit.io.surface_mesh import Strand, SurfaceMesh
 from plusedit.registry import Registry
+
+Meshed: TypeAlias = SurfaceMesh | MeshPiece
+"""What is written as faces: points in rows of a grid or in one row, with normals, parameters."""
 
 
 class Export(Protocol):
@@ -27,7 +31,7 @@ class Export(Protocol):
 
     @property
     def has_quads(self) -> bool:
-        """Whether faces of four corners are written as such; if not, each becomes two."""
+        """Whether faces of four corners and more are written as such, not cut into triangles."""
         ...
 
     @property
@@ -35,9 +39,7 @@ class Export(Protocol):
         """The kind of number in which the file says points, such as numpy.float32."""
         ...
 
-    def write(
-        self, stream: BinaryIO, meshes: Sequence[SurfaceMesh], strands: Sequence[Strand]
-    ) -> None:
+    def write(self, stream: BinaryIO, meshes: Sequence[Meshed], strands: Sequence[Strand]) -> None:
         """Write the file piece by piece; at least one mesh or strand is there.
 
         FormatError if the file can't hold that much.

@@ -11,9 +11,9 @@ from typing import Any, BinaryIO
 
 import numpy as np
 
-from plusedit.io.exports import register
+from plusedit.io.exports import Meshed, register
 from plusedit.io.formats import FormatError
-from plusedit.io.surface_mesh import Strand, SurfaceMesh
+from plusedit.io.surface_mesh import Strand
 
 FLOAT, UNSIGNED_INT, TRIANGLES = 5126, 5125, 4  # the numbers of the standard
 ARRAY_BUFFER, ELEMENT_ARRAY_BUFFER = 34962, 34963
@@ -33,9 +33,7 @@ class BinaryGltf:
     has_quads = False
     numbers = np.float32
 
-    def write(
-        self, stream: BinaryIO, meshes: Sequence[SurfaceMesh], _strands: Sequence[Strand]
-    ) -> None:
+    def write(self, stream: BinaryIO, meshes: Sequence[Meshed], _strands: Sequence[Strand]) -> None:
         """Write the file piece by piece. FormatError if it would be too large."""
         tree = _tree(meshes)
         text = json.dumps(tree, ensure_ascii=True, separators=(",", ":")).encode()
@@ -55,7 +53,7 @@ class BinaryGltf:
 register("glb")(BinaryGltf())
 
 
-def _binary(mesh: SurfaceMesh) -> Iterator[bytes]:
+def _binary(mesh: Meshed) -> Iterator[bytes]:
     """Points, normals, parameters and corners of one mesh; each a multiple of four bytes."""
     for rows in mesh.blocks():
         yield mesh.points[rows].astype("<f4").tobytes()
@@ -67,7 +65,7 @@ def _binary(mesh: SurfaceMesh) -> Iterator[bytes]:
         yield faces.cut().astype("<u4").tobytes()
 
 
-def _tree(meshes: Sequence[SurfaceMesh]) -> dict[str, Any]:
+def _tree(meshes: Sequence[Meshed]) -> dict[str, Any]:
     """What the JSON chunk says."""
     views: list[dict[str, Any]] = []
     accessors: list[dict[str, Any]] = []
@@ -103,13 +101,13 @@ def _tree(meshes: Sequence[SurfaceMesh]) -> dict[str, Any]:
     }
 
 
-def _nodes(meshes: Sequence[SurfaceMesh]) -> list[dict[str, Any]]:
+def _nodes(meshes: Sequence[Meshed]) -> list[dict[str, Any]]:
     """The root, and one child a mesh."""
     children = [{"name": _name(mesh), "mesh": i} for i, mesh in enumerate(meshes)]
     return [{"rotation": Z_UP, "children": list(range(1, len(children) + 1))}, *children]
 
 
-def _name(mesh: SurfaceMesh) -> str:
+def _name(mesh: Meshed) -> str:
     """As Unicode that every reader takes: half a surrogate pair is no character."""
     return mesh.name.encode("utf-8", "replace").decode()
 

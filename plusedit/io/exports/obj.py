@@ -1,4 +1,4 @@
-"""Wavefront OBJ: text with quads, normals and parameters, and curves as lines."""
+"""Wavefront OBJ: text with polygons, normals and parameters, and curves as lines."""
 
 from collections.abc import Iterator, Sequence
 from typing import BinaryIO
@@ -6,9 +6,9 @@ from typing import BinaryIO
 import numpy as np
 from numpy.typing import NDArray
 
-from plusedit.io.exports import register
+from plusedit.io.exports import Meshed, register
 from plusedit.io.mesh_faces import Numbers
-from plusedit.io.surface_mesh import Strand, SurfaceMesh
+from plusedit.io.surface_mesh import Strand
 
 LONGEST = 256  # points of one line of the file
 
@@ -22,9 +22,7 @@ class WavefrontObj:
     has_quads = True
     numbers = np.float64
 
-    def write(
-        self, stream: BinaryIO, meshes: Sequence[SurfaceMesh], strands: Sequence[Strand]
-    ) -> None:
+    def write(self, stream: BinaryIO, meshes: Sequence[Meshed], strands: Sequence[Strand]) -> None:
         """Write the file piece by piece."""
         stream.write(b"# PlusEdit\n")
         corners = points = 1  # numbers begin with one, and run on from object to object
@@ -42,7 +40,7 @@ class WavefrontObj:
 register("obj")(WavefrontObj())
 
 
-def _mesh_lines(mesh: SurfaceMesh, first_point: int, first_corner: int) -> Iterator[str]:
+def _mesh_lines(mesh: Meshed, first_point: int, first_corner: int) -> Iterator[str]:
     yield f"o {_name(mesh.name)}\n"
     left, places = mesh.welded
     yield from _rows("v %.12g %.12g %.12g\n", mesh.points.reshape(-1, 3)[left])
@@ -50,8 +48,9 @@ def _mesh_lines(mesh: SurfaceMesh, first_point: int, first_corner: int) -> Itera
         yield from _rows("vt %.9g %.9g\n", mesh.parameters(rows).reshape(-1, 2))
         yield from _rows("vn %.6g %.6g %.6g\n", mesh.normals[rows].reshape(-1, 3))
     for faces in mesh.faces():
-        for corners in (faces.quads, faces.triangles):
-            yield _face_lines(corners, places + first_point, first_corner)
+        for corners in (faces.quads, faces.triangles, faces.others):
+            if corners is not None:
+                yield _face_lines(corners, places + first_point, first_corner)
 
 
 def _face_lines(corners: Numbers, places: Numbers, first_corner: int) -> str:

@@ -5,10 +5,10 @@ from typing import BinaryIO
 
 import numpy as np
 
-from plusedit.io.exports import register
+from plusedit.io.exports import Meshed, register
 from plusedit.io.formats import FormatError
 from plusedit.io.mesh_faces import Numbers
-from plusedit.io.surface_mesh import Strand, SurfaceMesh
+from plusedit.io.surface_mesh import Strand
 
 PROPERTIES = ("x", "y", "z", "nx", "ny", "nz", "s", "t")
 MOST = 2**31 - 1  # numbers of points are signed, of four bytes
@@ -26,9 +26,7 @@ class StanfordPly:
     has_quads = False
     numbers = np.float32
 
-    def write(
-        self, stream: BinaryIO, meshes: Sequence[SurfaceMesh], _strands: Sequence[Strand]
-    ) -> None:
+    def write(self, stream: BinaryIO, meshes: Sequence[Meshed], _strands: Sequence[Strand]) -> None:
         """Write the file piece by piece. FormatError if there are too many points."""
         points = sum(map(len, meshes))
         if points > MOST:
@@ -37,7 +35,7 @@ class StanfordPly:
         for mesh in meshes:
             for rows in mesh.blocks():
                 parts = (mesh.points[rows], mesh.normals[rows], mesh.parameters(rows))
-                stream.write(np.concatenate(parts, axis=2, dtype="<f4").tobytes())
+                stream.write(np.concatenate(parts, axis=-1, dtype="<f4").tobytes())
         first = 0
         for mesh in meshes:
             for faces in mesh.faces():

@@ -5,10 +5,10 @@ from typing import BinaryIO
 
 import numpy as np
 
-from plusedit.io.exports import register
+from plusedit.io.exports import Meshed, register
 from plusedit.io.formats import FormatError
 from plusedit.io.mesh_faces import Numbers
-from plusedit.io.surface_mesh import Strand, SurfaceMesh
+from plusedit.io.surface_mesh import Strand
 
 # A reader takes a file that begins with "solid" for text.
 TITLE = b"PlusEdit, binary STL".ljust(80)
@@ -25,9 +25,7 @@ class BinaryStl:
     has_quads = False
     numbers = np.float32
 
-    def write(
-        self, stream: BinaryIO, meshes: Sequence[SurfaceMesh], _strands: Sequence[Strand]
-    ) -> None:
+    def write(self, stream: BinaryIO, meshes: Sequence[Meshed], _strands: Sequence[Strand]) -> None:
         """Write the file piece by piece. FormatError if there are too many triangles."""
         count = sum(mesh.triangle_count for mesh in meshes)
         if count > MOST:
@@ -42,7 +40,7 @@ class BinaryStl:
 register("stl")(BinaryStl())
 
 
-def _facets(mesh: SurfaceMesh, triangles: Numbers) -> bytes:
+def _facets(mesh: Meshed, triangles: Numbers) -> bytes:
     facets = np.zeros(len(triangles), dtype=FACET)
     facets["corners"] = mesh.points.reshape(-1, 3)[triangles]
     a, b, c = mesh.scaled[triangles.T]

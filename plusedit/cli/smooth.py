@@ -1,0 +1,145 @@
+"""`plusedit smooth`: a polygon mesh or a terrain made into smooth surfaces, without a window."""
+
+import argparse
+from math import isfinite
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from plusedit.document.design import Design
+    from plusedit.io.mesh_import import Imported
+
+NAME = "smooth"
+HELP = "make a polygon mesh or a terrain into smooth surfaces"
+
+MOST_TIMES = 8
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("mesh", metavar="MESH", help="a mesh or a terrain")
+    parser.add_argument(
+        "out",
+        metavar="OUT.obj|.ply|.stl|.glb|.json",
+        help="the file; its suffix says the kind. A .json is a design, with the faces as control "
+        "planes",
+    )
+    parser.add_argument(
+        "--smoothness",
+        metavar="S",
+        type=_positive,
+        default=0.7,
+        help="how much detail is smoothed away, in sizes of faces (default 0.7)",
+    )
+    parser.add_argument(
+        "--magnitude",
+        metavar="s",
+        type=_finite,
+        default=1.0,
+        help="how much of the faces' planes is used: 0 their middles alone (default 1)",
+    )
+    parser.add_argument(
+        "--area-weights", action="store_true", help="let faces count by area over squared radius"
+    )
+    parser.add_argument(
+        "--map",
+        metavar="NAME",
+        help="how parts get parameters, where that suits them (default: what suits best)",
+    )
+    parser.add_argument(
+        "--as-it-is",
+        action="store_true",
+        help="don't split large and thin faces before",
+    )
+    parser.add_argument(
+        "--subdivide",
+        metavar="N",
+        type=_times,
+        help=f"how often every face is split for the file, 0 to {MOST_TIMES} (default: coarse "
+        "meshes so often that there are some thousand faces)",
+    )
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Prints the report; nothing is written before all is worked out."""
+    from plusedit.io.files import check_apart, shown_name
+    from plusedit.io.mesh_import import ImportOptions, import_mesh
+
+    _check_out(arguments)
+    options = ImportOptions(
+        smoothness=arguments.smoothness,
+        s=arguments.magnitude,
+        area_weights=arguments.area_weights,
+        refine=not arguments.as_it_is,
+        map_name=arguments.map,
+        measure=True,
+    )
+    imported = import_mesh(arguments.mesh, options)
+    check_apart(arguments.out, arguments.mesh)
+    written = _write(imported, arguments)
+    print(imported.report.text)
+    print(f"{shown_name(Path(arguments.out))}: {written}")
+    return 0
+
+
+def _check_out(arguments: argparse.Namespace) -> None:
+    """FormatError if no such file can be written."""
+    from plusedit.io.exports import exports
+    from plusedit.io.files import HasSuffixes, by_suffix, shown_name
+    from plusedit.io.formats import FormatError
+    from plusedit.io.formats.json_document import JsonDocument
+
+    place = Path(arguments.out)
+    shelf: dict[str, HasSuffixes] = {**exports, "json": JsonDocument()}
+    is_design = isinstance(by_suffix(place, shelf), JsonDocument)
+    if is_design and arguments.subdivide is not None:
+        raise FormatError(f"{shown_name(place)}: a design keeps faces as they are: no --subdivide")
+
+
+def _write(imported: "Imported", arguments: argparse.Namespace) -> str:
+    """Write the file, and what there is to say of it."""
+    from plusedit.io.files import save
+
+    design = imported.design
+    if arguments.out.lower().endswith(".json"):
+        save(design, arguments.out)
+        return f"a design of {imported.report.summary}"
+    return str(_export(design, arguments))
+
+
+def _export(design: "Design", arguments: argparse.Namespace) -> object:
+    from plusedit.geometry.mesh.deviation import times_for
+    from plusedit.io.exporting import export_design
+
+    said = arguments.subdivide
+    return export_design(
+        design, arguments.out, times=lambda mesh: times_for(mesh) if said is None else said
+    )
+
+
+def _number(word: str) -> float:
+    try:
+        return float(word)
+    except ValueError:
+        return float("nan")
+
+
+def _positive(word: str) -> float:
+    number = _number(word)
+    if not (isfinite(number) and number > 0.0):
+        raise argparse.ArgumentTypeError(f"expected a number above 0, got {word!r}")
+    return number
+
+
+def _finite(word: str) -> float:
+    number = _number(word)
+    if not isfinite(number):
+        raise argparse.ArgumentTypeError(f"expected a number, got {word!r}")
+    return number
+
+
+def _times(word: str) -> int:
+    if not (word.isascii() and word.isdecimal() and len(word) == 1 and int(word) <= MOST_TIMES):
+        raise argparse.ArgumentTypeError(
+            f"expected a whole number from 0 to {MOST_TIMES}, got {word!r}"
+        )
+    return int(word)
