@@ -5,12 +5,14 @@ import numpy as np
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.mesh.polygons import PolygonMesh
 
+CANCELED = 1e-9  # of the area: less is rounding
+
 
 def mean_normal(mesh: PolygonMesh) -> Floats:
     """(3,) of unit length, or zero where the faces' normals cancel."""
     total = mesh.area_vectors.sum(axis=0)
     length = float(np.linalg.norm(total))
-    return total / length if length > 0.0 else np.zeros(3)
+    return total / length if length > CANCELED * mesh.areas.sum() else np.zeros(3)
 
 
 def seen_along(mesh: PolygonMesh, normal: Floats) -> Floats:

@@ -10,8 +10,9 @@ opposite to it, there are
                                                        the same from both ends, but negative where
                                                        gamma + delta > pi (Pinkall, Polthier 1993).
 
-Where a rim is given the former are taken. Elsewhere the latter, but at least a tenth of the mean
-of the former from both ends: so they stay positive.
+Where a rim is given the former are taken. Elsewhere the latter, but at least a thousandth of the
+mean of the former from both ends: so they stay positive. More than that would be felt where the
+latter are zero, at the diagonals of rectangles, and twist what is made of them.
 """
 
 import numpy as np
@@ -21,7 +22,7 @@ from plusedit.geometry.mesh.flattening.sheet import Sheet
 
 STEEPEST = 1e4  # of the tangents of half the angles: those of slivers are kept within reason
 SHORTEST = 1e-6  # of the mean edge
-LEAST = 0.1  # of the mean value weights
+LEAST = 1e-3  # of the mean value weights
 
 
 def half_tangents(sheet: Sheet) -> Floats:
