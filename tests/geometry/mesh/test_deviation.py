@@ -16,6 +16,7 @@ from plusedit.geometry.mesh.deviation import (
 )
 from plusedit.geometry.mesh.domains import PlaneDomain
 from plusedit.geometry.mesh.mesh_surface import MeshSurface
+from plusedit.geometry.mesh.nearest_triangles import distances, distances_by_trying
 from plusedit.geometry.mesh.polygons import PolygonMesh
 
 
@@ -140,3 +141,28 @@ def test_places_of_vertices_are_those_of_their_first_corners():
     found = vertex_places(mesh, parameters)
     assert_array_equal(found, surface.vertex_places)
     assert_array_equal(found[:4], parameters[[5, 0, 1, 2]])
+
+
+def a_crumpled_sheet():
+    """A mesh whose triangles lie near each other in space and far from each other in the mesh."""
+    random = np.random.default_rng(8)
+    mesh = sheet(14, lambda x, y: 0.2 * np.sin(9.0 * x) * np.cos(7.0 * y))
+    return mesh, mesh.vertices + 0.15 * random.normal(size=mesh.vertices.shape)
+
+
+def test_the_nearest_of_all_triangles_counts_however_far_it_is_in_the_mesh():
+    mesh, moved = a_crumpled_sheet()
+    triangles = moved[mesh.triangulation.triangles]
+    tried = [nearest_by_trying(point, triangles) for point in mesh.vertices]
+    found = deviation_of(mesh, moved).from_mesh
+    assert (found <= np.array(tried) + 1e-12).all()
+    assert_allclose(found, tried, atol=0.02)
+
+
+def test_without_compiled_loops_distances_are_the_same_or_too_large():
+    mesh, moved = a_crumpled_sheet()
+    corners, own = mesh.triangulation.triangles.astype(np.intp), np.arange(mesh.vertex_count)
+    exact = distances(mesh.vertices, moved, corners, own)
+    tried = distances_by_trying(mesh.vertices, moved, corners, own)
+    assert (tried >= exact - 1e-12).all()
+    assert np.median(tried - exact) < 1e-12
