@@ -8,6 +8,7 @@ from plusedit.document.design import Design
 from plusedit.document.shape import ShapeId
 from plusedit.geometry.arrays import Floats
 from plusedit.scene.camera import PlaneCamera
+from plusedit.scene.extremes import telling
 from plusedit.scene.items import Item, Label, Markers, Polygon, Polyline, Segments
 from plusedit.scene.options import ViewOptions
 from plusedit.scene.scene import scene_items
@@ -38,7 +39,7 @@ def framed(
     camera = camera.framing(camera.placed(points), margin)
     for _ in range(ROUNDS):
         items = scene_items(design, camera, options, only=chosen, wait=False)
-        extent = [points, *(seen for item in items for seen in _extent(item, camera))]
+        extent = [points, *(telling(seen) for item in items for seen in _extent(item, camera))]
         before, camera = camera, camera.framing(camera.placed(np.concatenate(extent)), margin)
         if abs(camera.scale - before.scale) <= SETTLED * before.scale:
             break
@@ -49,7 +50,9 @@ def _control_points(design: Design, camera: PlaneCamera, only: frozenset[ShapeId
     rows = [
         camera.plane(geometry.net.control_points) for _, _, geometry in shown_shapes(design, only)
     ]
-    rows += [camera.plane(surface.mesh.vertices) for _, _, surface in shown_meshes(design, only)]
+    rows += [
+        telling(camera.plane(surface.mesh.vertices)) for _, _, surface in shown_meshes(design, only)
+    ]
     return np.concatenate(rows) if rows else np.zeros((0, 2))
 
 

@@ -11,6 +11,7 @@ from plusedit.geometry.arrays import Floats
 from plusedit.geometry.curve import PlusCurve
 from plusedit.scene.drawn import drawn
 from plusedit.scene.drawn_surface import coarse_points
+from plusedit.scene.extremes import telling
 from plusedit.scene.items import Item, Label, Markers, Mesh, Patch, Polygon, Polyline, Segments
 from plusedit.scene.options import ViewOptions
 from plusedit.scene.shapes import handle_items, overlay_items, shown_meshes, shown_shapes
@@ -36,7 +37,7 @@ def framed_in_space(
     chosen = None if only is None else frozenset(only)
     shown = shown_shapes(design, chosen)
     points = [_in_space(geometry.net.control_points) for _, _, geometry in shown]
-    points += [surface.mesh.vertices for _, _, surface in shown_meshes(design, chosen)]
+    points += [telling(surface.mesh.vertices) for _, _, surface in shown_meshes(design, chosen)]
     if not points:
         return camera
     camera = camera.framing(np.concatenate(points), margin)
@@ -50,7 +51,9 @@ def framed_in_space(
             *overlay_items(shown, camera, options),
             *handle_items(design, camera, options, NOTHING_SELECTED, chosen),
         ]
-        extent = np.concatenate([*points, *(_in_space(p) for i in items for p in _places(i))])
+        extent = np.concatenate(
+            [*points, *(telling(_in_space(p)) for i in items for p in _places(i))]
+        )
         before, camera = camera, camera.framing(extent[np.isfinite(extent).all(axis=1)], margin)
         if abs(camera.height - before.height) <= SETTLED * before.height:
             break

@@ -1,7 +1,9 @@
 """OpenGL as this program needs it: a core profile of version 3.3, tried once."""
 
 import os
+from contextlib import suppress
 from functools import lru_cache
+from importlib import import_module
 
 from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtGui import QGuiApplication, QOffscreenSurface, QOpenGLContext, QSurfaceFormat
@@ -32,6 +34,10 @@ def opengl_problem() -> str:
     """Why the 3D view can't be shown, in a sentence; empty where it can."""
     if QGuiApplication.platformName() == "offscreen":
         return "There is no display here, and so no OpenGL."
+    # pyqtgraph is to be imported next, maybe while a thread imports numba. Both import parts of
+    # colorama; where neither has begun with its whole, one of them fails.
+    with suppress(ImportError):
+        import_module("colorama")
     if QGuiApplication.platformName().startswith("wayland"):
         # Read by PyOpenGL at its first import: it would look for the X11 library else.
         os.environ.setdefault("PYOPENGL_PLATFORM", "egl")
