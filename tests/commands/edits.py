@@ -30,6 +30,7 @@ from plusedit.commands.lines import (
     Transform,
     Turn,
 )
+from plusedit.commands.pulling import Pull
 from plusedit.commands.shapes import (
     AddShapes,
     AppendLine,
@@ -96,6 +97,7 @@ EDITS = {
     "Smoothly close curve": CloseSmoothly((A,)),
     "Make ends tangent of curve": MakeTangent((A,)),
     "Pass through the points of curve": PassThrough((A,)),
+    "Pull curve": Pull(A, (0.4,), np.array([1.0, 2.0, 0.0])),
 }
 """Each acts on the shape A, a curve, alone and changes it."""
 
@@ -140,6 +142,7 @@ SURFACE_EDITS = {
     "Make corners tangent of surface": TangentCorners((A,)),
     "Touch corner planes of surface": TangentToCornerPlanes((A,)),
     "Pass through the points of surface": PassThroughSurface((A,)),
+    "Pull surface": Pull(A, (0.4, 0.7), np.array([1.0, 2.0, 0.5]), "both"),
     "Balance u and v of surface": Balance((A,)),
     "Extract curve of constant u": ExtractCurve(A, "u", 0.25),
     "Extract edges of surface": ExtractBoundary((A,)),

@@ -1,0 +1,136 @@
+"""A point of a curve or surface pulled to another place by the least change.
+
+With the shares R and E of `influence`, the point moves by sum R_i dP_i + sum E_ki dg_ki. Of all
+changes that move it by `by`, the one with the least sum of squares is
+
+    dP_i = R_i / T by,    h_k dg_ki = (E_ki / h_k) / T by,    T = sum R_i^2 + sum (E_ki / h_k)^2,
+
+where a gradient counts as what it moves its own line by over the spacing h of the nodes. Only
+points, or only gradients, may change as well: T has the other sum no more.
+"""
+
+from typing import Literal, TypeAlias, get_args
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from plusedit.geometry.arrays import Floats, frozen
+from plusedit.geometry.curve import PlusCurve
+from plusedit.geometry.influence import Influence, Place, influence
+from plusedit.geometry.surface import PlusSurface
+
+Pullable: TypeAlias = PlusCurve | PlusSurface
+
+Change = Literal["points", "gradients", "both"]
+"""What may change."""
+
+STEPS = 24  # of following automatic directions, which turn with the points
+NEAR = 1e-14  # of the size of the shape: a miss that is rounding
+FAINT = 1e-6  # of the largest share: a line with less stays as it is
+LEAST = 1e-12  # share of the gradients: below, they have no hold on the point
+
+
+def pulled(geometry: Pullable, place: Place, to: ArrayLike, change: Change = "points") -> Pullable:
+    """The shape whose point at `place` is `to` (dim,), with the least change of its data.
+
+    Parameters
+    ----------
+    place
+        (u,) on a curve, (u, v) on a surface.
+    change
+        "points": the control points move, automatic directions follow them. "gradients": the
+        directions alone change, and stay so. "both": both do.
+
+    Raises ValueError, in a sentence for people, where nothing that may change moves that point,
+    as at the end of an open curve, which is held by its control point alone.
+    """
+    if change not in get_args(Change):
+        raise ValueError(f"change: expected one of {get_args(Change)}, got {change!r}")
+    target = frozen(to, shape=(geometry.dimension,), name="to")
+    shares = influence(geometry, place)
+    if change == "points":
+        return _by_points(geometry, place, target, shares)
+    if geometry.s == 0.0:
+        if change == "both":
+            return _by_points(geometry, place, target, shares)
+        raise ValueError("With s = 0 gradients move nothing; set s first, or pull points.")
+    return _by_gradients(geometry, place, target, shares, with_points=change == "both")
+
+
+def _by_points(geometry: Pullable, place: Place, target: Floats, shares: Influence) -> Pullable:
+    net, start = geometry.net, geometry.net.control_points
+    row = _cut(shares.values)
+    row = row / (row @ shares.values)
+    near = NEAR * (float(np.abs(start).max()) + float(np.abs(target).max()))
+    miss = target - _at(geometry, place)
+    if np.abs(miss).max() <= near:
+        return geometry
+    # Automatic directions turn with the points, so the shape is not linear in these any more:
+    # Broyden's method, which begins as if it were, takes a few steps to what is exact.
+    change, inverse = np.zeros_like(miss), np.eye(len(miss))
+    for _ in range(STEPS):
+        step = inverse @ miss
+        change = change + step
+        moved = geometry.with_net(net.with_control_points(start + np.outer(row, change)))
+        left = target - _at(moved, place)
+        if np.abs(left).max() <= near:
+            return moved
+        seen = inverse @ (miss - left)
+        along = float(step @ seen)
+        if not np.isfinite(left).all() or along == 0.0:
+            break
+        inverse = inverse + np.outer(step - seen, step @ inverse) / along
+        miss = left
+    kept = net.with_vectors(geometry.vectors, np.zeros_like(net.automatic_vectors))
+    return geometry.with_net(
+        kept.with_control_points(start + np.outer(row, target - _at(geometry, place)))
+    )
+
+
+def _by_gradients(
+    geometry: Pullable, place: Place, target: Floats, shares: Influence, *, with_points: bool
+) -> Pullable:
+    net, spacings = geometry.net, _spacings(geometry)
+    reaches = _cut(shares.reaches / spacings[:, None])
+    if np.abs(reaches).max() <= LEAST and not with_points:
+        raise ValueError(
+            "There only control points have a hold on the shape, as at an open end: pull points."
+        )
+    values = _cut(shares.values) if with_points else np.zeros_like(shares.values)
+    by = target - _at(geometry, place)
+    if not by.any():
+        return geometry
+    total = float(values @ shares.values + (reaches * shares.reaches / spacings[:, None]).sum())
+    turned = np.multiply.outer(reaches / (spacings[:, None] * total * geometry.s), by)
+    # A direction that has no share may go on following its neighbors, wherever these go.
+    bound = NEAR * np.abs(shares.reaches).max() if with_points else 0.0
+    stays = (np.abs(shares.reaches) <= bound) | ((reaches == 0.0) & (not with_points))
+    automatic = net.automatic_vectors & stays
+    given = np.where(automatic[..., None], 0.0, geometry.vectors + turned)
+    changed = net.with_vectors(given, automatic)
+    if with_points:
+        points = net.control_points + np.outer(values / total, by)
+        changed = changed.with_control_points(points)
+    return geometry.with_net(changed)
+
+
+def _cut(shares: Floats) -> Floats:
+    """The shares without those too small to matter: their lines are left alone."""
+    cut: Floats = np.where(np.abs(shares) > FAINT * np.abs(shares).max(), shares, 0.0)
+    return cut
+
+
+def _spacings(geometry: Pullable) -> Floats:
+    """(k,) of the nodes by each direction."""
+    if isinstance(geometry, PlusCurve):
+        return np.array([geometry.spacing])
+    return np.array(geometry.spacings)
+
+
+def _at(geometry: Pullable, place: Place) -> Floats:
+    """(dim,) the point of the shape."""
+    if isinstance(geometry, PlusCurve):
+        point: Floats = geometry.at([place[0]])[0]
+        return point
+    found: Floats = geometry.derivatives_at([place], highest=0)[0][0]
+    return found
