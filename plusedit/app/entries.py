@@ -38,6 +38,7 @@ SWITCHES = {
     "ground": ("Ground of the 3D view", ""),
     "isolines": ("Lines of constant u and v", "Shift+I"),
     "wire": ("Mesh of the 3D view", "Shift+W"),
+    "facets": ("Meshes as they are", ""),
     "front_only": ("Pick in front only", ""),
 }
 HANDLES: dict[Handles, str] = {

@@ -1,40 +1,98 @@
 """Files of meshes and terrains made into shapes that the window can draw at once."""
 
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from plusedit.scene.drawn_mesh import net_of
+from plusedit.commands.replacing import ReplaceShapes
+from plusedit.document.design import Design
+from plusedit.document.shape import Shape, ShapeId
+from plusedit.io.opening import is_mesh, mesh_suffixes
+from plusedit.scene.drawn_mesh import KEPT, MeshDrawing, evaluated, keep, net_of
 
 if TYPE_CHECKING:
     from plusedit.geometry.mesh.maps import Progress
-    from plusedit.io.mesh_import import Imported
+    from plusedit.io.mesh_import import Imported, ImportOptions
     from plusedit.io.mesh_report import ImportReport
 
+__all__ = ["MeshReading", "is_mesh", "mesh_suffixes", "opened", "read_again", "told"]
 
-def is_mesh(path: Path) -> bool:
-    """Whether a file of that name holds a mesh or a terrain."""
-    return path.name.lower().endswith(mesh_suffixes())
-
-
-def mesh_suffixes() -> tuple[str, ...]:
-    """Those of all meshes and terrains that can be read."""
-    from plusedit.io.meshes import meshes
-
-    return tuple(suffix for kind in meshes.values() for suffix in kind.suffixes)
+MADE = 0.85  # of the time, when there are surfaces; then they are evaluated
+AT_ONCE = 8  # parts that are evaluated before they are shown; the window has the others done
 
 
-def opened(path: Path, tell: "Progress") -> "Imported":
+@dataclass(frozen=True, eq=False)
+class MeshReading:
+    """A file of a mesh as it was read."""
+
+    path: Path
+    options: "ImportOptions"
+    imported: "Imported"
+    drawings: tuple[MeshDrawing, ...] = ()
+    """of the first parts"""
+    ids: tuple[ShapeId, ...] = ()
+    """what the parts are called in the design; empty before they are there"""
+
+    @property
+    def report(self) -> "ImportReport":
+        return self.imported.report
+
+    @property
+    def design(self) -> Design:
+        """Of the parts alone."""
+        return self.imported.design
+
+    def draw_at_once(self) -> None:
+        """Have the surfaces drawn as they were evaluated; to be called in the window's thread."""
+        for part, drawing in zip(self.imported.parts, self.drawings, strict=False):
+            keep(part.surface, drawing)
+
+    def placed(self, ids: tuple[ShapeId, ...]) -> "MeshReading":
+        """The same, once its parts are in a design under those names."""
+        return replace(self, ids=ids)
+
+
+def opened(
+    path: Path, tell: "Progress", options: "ImportOptions | None" = None
+) -> MeshReading:
     """The parts of a mesh or terrain as surfaces, the largest first.
 
     FormatError in one sentence; what `tell` raises.
     """
-    from plusedit.io.mesh_import import import_mesh
+    from plusedit.io.mesh_import import ImportOptions, import_mesh
 
-    found = import_mesh(path, tell=tell)
-    for part in found.parts:
-        # Worked out here and not in the window's thread, which draws it next.
+    wished = options or ImportOptions()
+    found = import_mesh(path, wished, lambda share, words: tell(MADE * share, words))
+    drawings = []
+    # Worked out here and not in the window's thread, which draws them next.
+    for number, part in enumerate(found.parts):
+        tell(MADE + (1.0 - MADE) * number / len(found.parts), "Evaluating the surfaces")
         net_of(part.surface)
-    return found
+        if number < min(AT_ONCE, KEPT):
+            drawings.append(evaluated(part.surface))
+            _ = drawings[-1].normals
+    tell(1.0, "Done")
+    return MeshReading(path, wished, found, tuple(drawings))
+
+
+def read_again(design: Design, before: MeshReading, now: MeshReading) -> ReplaceShapes:
+    """The edit that puts the parts of a file, read in another way, in place of those before.
+
+    Parts that the person has deleted are not missed. Where there are as many as before, each keeps
+    the name and the style that it has been given.
+    """
+    left = tuple(shape_id for shape_id in before.ids if shape_id in design)
+    rest = design.without(*left)
+    found: dict[ShapeId, Shape] = {}
+    for number, (shape_id, shape) in enumerate(now.imported.shapes):
+        taken = replace(rest, shapes={**rest.shapes, **found})
+        if len(before.ids) == len(now.imported.parts) and before.ids[number] in design:
+            shape_id, old = before.ids[number], design[before.ids[number]]
+            shape = replace(shape, name=old.name, style=old.style)
+        else:
+            shape_id = taken.unused_id(shape_id)
+        found[shape_id] = shape
+    return ReplaceShapes(left, tuple(found.items()), f"Import {now.path.name} again")
 
 
 def told(report: "ImportReport") -> tuple[str, ...]:

@@ -36,12 +36,11 @@ def _check(files: list[str]) -> None:
     """FormatError if a file can't be read, while there is a terminal to say so on."""
     if files:
         from plusedit.io.files import load, read_file
-        from plusedit.io.meshes import meshes
+        from plusedit.io.opening import is_mesh
 
-        of_meshes = {suffix for entry in meshes.values() for suffix in entry.suffixes}
         for file in files:
             # A mesh takes its time: the window reads it, shows how far it is, and can give up.
-            if Path(file).suffix.lower() in of_meshes:
+            if is_mesh(Path(file)):
                 read_file(Path(file))
             else:
                 load(file)

@@ -2,7 +2,9 @@
 
 import argparse
 import sys
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from functools import partial
+from math import isfinite
 from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING
@@ -10,6 +12,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from plusedit.document.design import Design
     from plusedit.scene.camera import Projection
+    from plusedit.scene.levels import Level
 
 NAME = "render"
 HELP = "make a PNG or SVG picture of a design"
@@ -23,6 +26,7 @@ PLANE: "Mapping[str, Projection]" = MappingProxyType(
 """Views that the plane view has, too: it draws designs that lie in a plane."""
 
 LINES_ONLY = "surfaces are drawn as lines in SVG pictures; a PNG picture shows them shaded"
+ONE_ONLY = "SVG pictures show one smoothness; a PNG picture shows several side by side"
 WITHOUT_OPENGL = (
     "pictures of designs in space need OpenGL 3.3, and {}; bash assets/run.sh installs it, "
     "--view 2d and SVG pictures do without"
@@ -30,7 +34,9 @@ WITHOUT_OPENGL = (
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("design", metavar="DESIGN", help="a design, or another file that opens")
+    parser.add_argument(
+        "design", metavar="DESIGN", help="a design, or another file that opens, such as a mesh"
+    )
     parser.add_argument("out", metavar="OUT.png|.svg", help="the picture; its suffix says the kind")
     parser.add_argument(
         "--view",
@@ -51,21 +57,41 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--theme", choices=("light", "dark"), default="light", help="colors (default light)"
     )
+    parser.add_argument(
+        "--overlay",
+        metavar="NAME",
+        action="append",
+        default=[],
+        help="what else to show, such as mesh; may be given more than once",
+    )
+    parser.add_argument(
+        "--smoothness",
+        metavar="S[,S...]",
+        type=_levels,
+        default=(),
+        help="of surfaces of meshes; several stand side by side in a PNG picture, such as "
+        "mesh,0.7,4, where mesh is the mesh itself",
+    )
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Nothing is written before the whole picture is there."""
-    from plusedit.io.files import check_apart, load, shown_name, write_file
+    from plusedit.io.files import check_apart, shown_name, write_file
     from plusedit.io.formats import FormatError
+    from plusedit.io.opening import opened_design
 
     out = Path(arguments.out)
     kind = out.suffix.lower()
     if kind not in (".png", ".svg"):
         raise FormatError(f"{shown_name(out)}: a picture's name ends with .png or .svg")
-    design = load(arguments.design).design
+    if kind == ".svg" and len(arguments.smoothness) > 1:
+        raise FormatError(f"{shown_name(out)}: {ONE_ONLY}")
+    _check_overlays(arguments.overlay)
+    design = opened_design(arguments.design)
     check_apart(out, arguments.design)
+    designs = _at_levels(design, arguments)
     try:
-        data = _svg(design, arguments) if kind == ".svg" else _png(design, arguments)
+        data = _svg(designs[0], arguments) if kind == ".svg" else _png(designs, arguments)
     except MemoryError as error:
         source = shown_name(Path(arguments.design))
         raise FormatError(f"{source}: its picture takes more memory than there is") from error
@@ -73,6 +99,23 @@ def run(arguments: argparse.Namespace) -> int:
     if kind == ".svg" and any(True for _ in design.surfaces()):
         print(f"{shown_name(out)}: {LINES_ONLY}", file=sys.stderr)
     return 0
+
+
+def _check_overlays(names: list[str]) -> None:
+    from plusedit.io.formats import FormatError
+    from plusedit.scene.overlays import overlays
+
+    for name in names:
+        if name not in overlays:
+            raise FormatError(f"there is no overlay {name!r}; there are {', '.join(overlays)}")
+
+
+def _at_levels(design: "Design", arguments: argparse.Namespace) -> "Sequence[Design]":
+    """What stands side by side: the design with what is asked for shown, once for each level."""
+    from plusedit.scene.levels import at_level, with_overlays
+
+    shown = with_overlays(design, arguments.overlay)
+    return [at_level(shown, level) for level in arguments.smoothness] or [shown]
 
 
 def _is_in_space(design: "Design", view: str) -> bool:
@@ -100,42 +143,39 @@ def _svg(design: "Design", arguments: argparse.Namespace) -> bytes:
     return svg_of(flat, drawing.camera, theme, transparent=arguments.transparent)
 
 
-def _png(design: "Design", arguments: argparse.Namespace) -> bytes:
+def _png(designs: "Sequence[Design]", arguments: argparse.Namespace) -> bytes:
     from plusedit.io.formats import FormatError
 
-    draw = _space_png if _is_in_space(design, arguments.view) else _plane_png
+    draw = _space_png if _is_in_space(designs[0], arguments.view) else _plane_png
     try:
-        return draw(design, arguments)
+        return draw(designs, arguments)
     except ImportError as error:
         raise FormatError(
             f"PNG pictures need Qt, which can't be loaded ({error}); plusedit doctor says more"
         ) from error
 
 
-def _plane_png(design: "Design", arguments: argparse.Namespace) -> bytes:
+def _plane_png(designs: "Sequence[Design]", arguments: argparse.Namespace) -> bytes:
     from plusedit.scene.theme import THEMES
-    from plusedit.views.picture import png_of
+    from plusedit.views.picture import image_of
+    from plusedit.views.side_by_side import row_png
 
-    return png_of(
-        design,
-        arguments.size,
-        THEMES[arguments.theme],
-        transparent=arguments.transparent,
-        projection=PLANE.get(arguments.view),
-    )
+    look = {"transparent": arguments.transparent, "projection": PLANE.get(arguments.view)}
+    draw = partial(image_of, theme=THEMES[arguments.theme], **look)
+    return row_png(designs, arguments.size, draw, in_space=False)
 
 
-def _space_png(design: "Design", arguments: argparse.Namespace) -> bytes:
+def _space_png(designs: "Sequence[Design]", arguments: argparse.Namespace) -> bytes:
     from plusedit.io.formats import FormatError
     from plusedit.scene.theme import THEMES
     from plusedit.views.gl.functions import OpenGLError
-    from plusedit.views.space_picture import space_png
+    from plusedit.views.side_by_side import row_png
+    from plusedit.views.space_picture import space_image_of
 
-    theme = THEMES[arguments.theme]
+    look = {"transparent": arguments.transparent, "view": _named(arguments.view)}
+    draw = partial(space_image_of, theme=THEMES[arguments.theme], **look)
     try:
-        return space_png(
-            design, arguments.size, theme, arguments.transparent, _named(arguments.view)
-        )
+        return row_png(designs, arguments.size, draw, in_space=True)
     except OpenGLError as error:
         raise FormatError(WITHOUT_OPENGL.format(error)) from error
 
@@ -155,3 +195,19 @@ def _size(word: str) -> tuple[int, int]:
             f"{MOST_PIXELS // 1_000_000} million pixels, got {word!r}"
         )
     return width, height
+
+
+def _levels(words: str) -> "tuple[Level, ...]":
+    return tuple(_level(word.strip()) for word in words.split(","))
+
+
+def _level(word: str) -> "Level":
+    if word == "mesh":
+        return "mesh"
+    try:
+        smoothness = float(word)
+    except ValueError:
+        smoothness = 0.0
+    if not (isfinite(smoothness) and smoothness > 0.0):
+        raise argparse.ArgumentTypeError(f"expected numbers above 0 or mesh, got {word!r}")
+    return smoothness

@@ -10,6 +10,7 @@ from plusedit.geometry.arrays import Floats
 from plusedit.geometry.mesh.mesh_surface import MeshSurface
 from plusedit.scene.camera import Camera, PlaneCamera
 from plusedit.scene.drawn_mesh import MeshDrawing, drawing_of
+from plusedit.scene.faceted_mesh import faceted
 from plusedit.scene.items import Item, Mesh, Polyline, Segments
 from plusedit.scene.options import ViewOptions
 from plusedit.scene.silhouettes import lifted, zero_lines
@@ -51,7 +52,7 @@ def mesh_items_in_space(
     wait: bool,
 ) -> Iterator[Item]:
     """The surface shaded, its edges and, unless it is a draft, its silhouette."""
-    drawing = drawing_of(surface, wait=wait)
+    drawing = faceted(surface.mesh) if options.facets else drawing_of(surface, wait=wait)
     yield mesh_item(shape, drawing)
     if options.wire:
         yield edge_item(drawing, "edges", WIRE)

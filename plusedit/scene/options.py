@@ -15,7 +15,7 @@ Handles: TypeAlias = Literal["auto", "selected", "all", "none"]
 Shading: TypeAlias = Literal["studio", "matcap"]
 ShownPanes: TypeAlias = Literal["2d", "3d", "both"]
 
-SWITCHES = ("grid", "rulers", "snap", "ground", "isolines", "wire", "front_only")
+SWITCHES = ("grid", "rulers", "snap", "ground", "isolines", "wire", "facets", "front_only")
 FAR = 1e100  # coordinates beyond that, no view is centred on
 
 
@@ -37,6 +37,8 @@ class ViewOptions:
     """whether surfaces show lines of constant u and of constant v"""
     wire: bool = False
     """whether the 3D view shows the mesh that surfaces are drawn as"""
+    facets: bool = False
+    """whether the 3D view shows meshes themselves, with flat faces, and not their surfaces"""
     front_only: bool = False
     """whether handles that a surface hides can't be picked"""
     shading: Shading = "studio"

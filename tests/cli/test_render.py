@@ -69,10 +69,10 @@ def test_a_flat_design_is_seen_from_above_unless_it_is_looked_at_otherwise(tmp_p
 
 
 def test_without_opengl_a_sentence_says_what_helps(document, tmp_path, capsys, monkeypatch):
-    def none(*_arguments):
+    def none(*_arguments, **_options):
         raise OpenGLError("EGL finds no driver")
 
-    monkeypatch.setattr("plusedit.views.space_picture.space_png", none)
+    monkeypatch.setattr("plusedit.views.space_picture.space_image_of", none)
     out = tmp_path / "sail.png"
     assert main(["render", str(document), str(out)]) == 2
     told = capsys.readouterr().err
@@ -106,6 +106,38 @@ def test_an_svg_file_can_be_what_is_drawn(tmp_path):
     assert b"<polyline" in out.read_bytes()
 
 
+@pytest.fixture
+def hill(tmp_path):
+    """A file with a mesh of 8 x 8 quads, one vertex of which stands out."""
+    rows = [f"v {x} {y} {2 * (x == y == 4)}" for x in range(9) for y in range(9)]
+    for x in range(8):
+        first = [9 * x + y + 1 for y in range(8)]
+        rows += [f"f {a} {a + 9} {a + 10} {a + 1}" for a in first]
+    path = tmp_path / "hill.obj"
+    path.write_text("\n".join(rows))
+    return path
+
+
+def test_the_file_of_a_mesh_can_be_what_is_drawn(hill, tmp_path):
+    plain, finer = tmp_path / "plain.svg", tmp_path / "mesh.svg"
+    assert main(["render", str(hill), str(plain)]) == 0
+    assert main(["render", str(hill), str(finer), "--overlay", "mesh"]) == 0
+    assert b"<p" in plain.read_bytes()
+    assert finer.stat().st_size > plain.stat().st_size
+
+
+def test_a_mesh_and_its_surface_at_two_levels_stand_side_by_side(hill, tmp_path):
+    out, words = tmp_path / "row.png", ["--size", "301x100", "--view", "iso"]
+    assert main(["render", str(hill), str(out), *words, "--smoothness", "mesh,0.5,2"]) == 0
+    row = colors(out.read_bytes())
+    assert row.shape == (100, 301, 4)
+    panels = [row[:, start : start + 100] for start in (0, 100, 200)]
+    assert all(len(np.unique(panel.reshape(-1, 4), axis=0)) > 20 for panel in panels)
+    assert main(["render", str(hill), str(out), "--size", "100x100", "--smoothness", "0.5"]) == 0
+    assert np.abs(colors(out.read_bytes()) - panels[1]).max() <= 1
+    assert np.abs(panels[0] - panels[1]).max() > 20 < np.abs(panels[1] - panels[2]).max()
+
+
 @pytest.mark.parametrize(
     ("words", "sentence"),
     [
@@ -117,6 +149,10 @@ def test_an_svg_file_can_be_what_is_drawn(tmp_path):
         (["{design}", "{folder}/out.svg", "--size", "wide"], "WIDTHxHEIGHT"),
         (["{design}", "{folder}/out.svg", "--theme", "pink"], "invalid choice"),
         (["{design}", "{folder}/out.svg", "--view", "behind"], "invalid choice"),
+        (["{design}", "{folder}/out.svg", "--overlay", "halo"], "no overlay 'halo'"),
+        (["{design}", "{folder}/out.svg", "--smoothness", "mesh,1"], "side by side"),
+        (["{design}", "{folder}/out.png", "--smoothness", "0"], "numbers above 0 or mesh"),
+        (["{design}", "{folder}/out.png", "--smoothness", "1,nan"], "numbers above 0 or mesh"),
     ],
 )
 def test_what_can_not_be_done_is_said_in_one_sentence(document, tmp_path, capsys, words, sentence):

@@ -181,6 +181,18 @@ def test_the_mesh_as_it_was_read_is_an_overlay():
     assert_array_equal(ghost.starts, mesh.vertices[edges[:, 0]])
 
 
+def test_the_mesh_itself_is_drawn_where_that_is_asked_for():
+    design = a_landscape()
+    mesh = design.mesh(HILL).mesh
+    item = the_mesh(space_items(design, CAMERA, replace(BARE, facets=True)))
+    assert_array_equal(item.points, mesh.vertices[mesh.corners])
+    ways = mesh.area_vectors / mesh.areas[:, None]
+    assert_allclose(item.normals, ways[mesh.owners], atol=1e-12)
+    (rim,) = space_items(design, CAMERA, replace(BARE, facets=True)).lines
+    assert len(rim.starts) == 4 * 6
+    assert set(map(tuple, rim.starts)) <= set(map(tuple, mesh.vertices))
+
+
 def test_a_mesh_is_framed():
     camera = framed_in_space(a_landscape(), CAMERA, BARE)
     screen = camera.to_screen(a_hill().mesh.vertices)

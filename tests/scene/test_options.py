@@ -18,7 +18,7 @@ options = st.builds(
     ViewOptions,
     st.frozensets(words),
     st.sampled_from(["auto", "selected", "all", "none"]),
-    *[st.booleans()] * 7,
+    *[st.booleans()] * 8,
     st.sampled_from(["studio", "matcap"]),
 )
 trees = st.dictionaries(
