@@ -12,11 +12,16 @@ from plusedit.commands.base import (
     edit_geometries,
     fitted,
     fitted_matrix,
+    unlocked,
+    with_shapes,
 )
 from plusedit.document.design import Design, EditError
+from plusedit.document.map_record import MapRecord, map_of, with_map
 from plusedit.document.shape import ShapeId
 from plusedit.geometry.arrays import Floats
+from plusedit.geometry.mesh.domains import Domain
 from plusedit.geometry.mesh.mesh_surface import MeshSurface
+from plusedit.geometry.mesh.remapping import remapped
 
 LEAST, MOST = 1e-3, 1e3  # smoothness that anyone has a use for
 
@@ -66,6 +71,39 @@ class SetAreaWeights(Command):
             return replace(surface, area_weights=self.are_on)
 
         return edit_meshes(design, self.ids, weighted)
+
+
+@dataclass(frozen=True, eq=False)
+class Remap(Command):
+    """Give a mesh the parameters of another map; edited planes stay where they are in space."""
+
+    shape_id: ShapeId
+    domain: Domain
+    parameters: Floats
+    """(c, 2) as of a mapped mesh"""
+    name: str
+    """of the map, as on the shelf"""
+    cone_points: tuple[int, ...] = ()
+    """the vertices at the corners of a pillow, if a person chose them"""
+
+    @property
+    def label(self) -> str:
+        return "Choose cone points" if self.cone_points else "Change map"
+
+    def apply(self, design: Design) -> Design:
+        shape, surface = unlocked(design, self.shape_id), design.mesh(self.shape_id)
+        record = MapRecord(self.name, self.cone_points)
+        is_same = surface.domain == self.domain and np.array_equal(
+            surface.parameters, self.parameters
+        )
+        if is_same and map_of(shape) == record:
+            return design
+        try:
+            found = surface if is_same else remapped(surface, self.domain, self.parameters)
+        except ValueError as error:
+            raise EditError(f"{shape.name}: {error}") from error
+        extra = with_map(shape.extra, record)
+        return with_shapes(design, {self.shape_id: replace(shape, geometry=found, extra=extra)})
 
 
 def transformed_meshes(

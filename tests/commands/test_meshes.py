@@ -6,12 +6,14 @@ from numpy.testing import assert_allclose
 
 from plusedit.commands.curves import SetMagnitude
 from plusedit.commands.lines import MovePoints, Transform
-from plusedit.commands.meshes import SetAreaWeights, SetSmoothness
+from plusedit.commands.meshes import Remap, SetAreaWeights, SetSmoothness
 from plusedit.document.design import EditError
+from plusedit.document.map_record import map_of
 from plusedit.document.selection import Selection
 from plusedit.document.shape import ShapeId
+from plusedit.geometry.mesh.domains import PlaneDomain, TorusDomain
 from tests.designs import BOW, a_design
-from tests.scene.meshes import HILL, a_landscape
+from tests.scene.meshes import HILL, a_hill, a_landscape
 
 
 def test_smoothness_is_set_and_all_else_stays():
@@ -81,3 +83,44 @@ def test_labels_speak_of_meshes():
     design = a_landscape()
     assert MovePoints({HILL: ()}, np.ones(3)).label_in(design) == "Move mesh"
     assert SetSmoothness({HILL: 1.0, BOW: 1.0}).label == "Set S of 2 meshes"
+
+
+def other_parameters(design):
+    return design.mesh(HILL).parameters @ np.array([[0.0, 2.0], [-1.0, 0.5]])
+
+
+def test_another_map_gives_the_mesh_other_parameters_and_is_told_of():
+    design = a_landscape(a_hill().with_plane(3, gradient_u=[0.0, 1.0, 1.0]))
+    parameters = other_parameters(design)
+    edited = Remap(HILL, TorusDomain(9.0), parameters, "torus").apply(design)
+    surface = edited.mesh(HILL)
+    assert surface.domain == TorusDomain(9.0)
+    assert_allclose(surface.parameters, parameters)
+    assert map_of(edited[HILL]).name == "torus"
+    assert set(surface.edited) == {3}
+    assert surface.mesh is design.mesh(HILL).mesh
+
+
+def test_the_same_map_again_changes_nothing():
+    design = a_landscape()
+    command = Remap(HILL, PlaneDomain(), other_parameters(design), "flat")
+    once = command.apply(design)
+    assert command.apply(once) is once
+
+
+def test_cone_points_that_a_person_chose_are_told_of_until_they_are_reset():
+    design = a_landscape()
+    parameters = other_parameters(design)
+    chosen = Remap(HILL, PlaneDomain(), parameters, "pillow", (4, 8, 1, 9)).apply(design)
+    assert map_of(chosen[HILL]).cone_points == (4, 8, 1, 9)
+    reset = Remap(HILL, PlaneDomain(), parameters, "pillow").apply(chosen)
+    assert map_of(reset[HILL]).cone_points == ()
+
+
+def test_parameters_that_make_no_surface_are_refused():
+    design = a_landscape()
+    nothing = np.zeros_like(design.mesh(HILL).parameters)
+    with pytest.raises(EditError, match="Hill: parameters: no face has any extent"):
+        Remap(HILL, PlaneDomain(), nothing, "flat").apply(design)
+    with pytest.raises(EditError, match="Hill is locked"):
+        Remap(HILL, PlaneDomain(), nothing, "flat").apply(a_landscape(locked=True))

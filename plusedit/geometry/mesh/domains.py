@@ -68,6 +68,11 @@ class Domain:
         return inf, inf
 
     @property
+    def cell(self) -> tuple[float, float]:
+        """How far the cell reaches from (0, 0) by u and by v; infinite where nothing repeats."""
+        return self.periods
+
+    @property
     def turns(self) -> bool:
         """Whether some images have the sign -1."""
         return False
@@ -166,6 +171,16 @@ class PillowDomain(Domain):
     @property
     def periods(self) -> tuple[float, float]:
         return 2.0 * self.width, 1.0
+
+    @property
+    def cell(self) -> tuple[float, float]:
+        return 2.0 * self.width, 0.5
+
+    @property
+    def cone_points(self) -> Floats:
+        """(4, 2) in the order of the chain that the pillow is laid out along."""
+        width = self.width
+        return np.array([[0.0, 0.0], [0.0, 0.5], [width, 0.5], [width, 0.0]])
 
     @property
     def turns(self) -> bool:
