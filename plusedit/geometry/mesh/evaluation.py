@@ -14,12 +14,15 @@ images stays bounded, whatever the smoothness is.
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
+from importlib import import_module
 from math import hypot, inf
+from typing import TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
-from plusedit.geometry.arrays import Floats
-from plusedit.geometry.mesh.domains import Images
+from plusedit.geometry.arrays import Floats, unit
+from plusedit.geometry.mesh.domains import Domain, Images
 from plusedit.geometry.mesh.mesh_surface import MeshSurface
 from plusedit.geometry.mesh.ordering import morton_order
 from plusedit.geometry.mesh.plane_tree import PlaneTree
@@ -27,9 +30,13 @@ from plusedit.geometry.mesh.plane_tree import PlaneTree
 DEEPEST = 36.0  # below the largest exponent at a place a plane is left out
 FLAT = 1.5  # periods: a Gaussian so wide, with all its images, is a constant
 LEAST, MOST = 1e-60, 1e60  # smoothness: with less there are steps, with more constants
-SHARE = 4096  # places evaluated by one thread at a time
+BESIDE = 1e-3  # of the least sigma: so far from a cone point normals are taken
+AT = 1e-13  # of parameters: no farther from a cone point is at it
+SHARE = 256  # places evaluated by one thread at a time: with S = 16 that takes half a second
 
-Evaluator = Callable[["Prepared", Floats, Floats], None]
+Check: TypeAlias = Callable[[], object]
+"""Called now and then, in any thread; what it raises ends the evaluation."""
+Evaluator: TypeAlias = Callable[["Prepared", Floats, Floats, Check], None]
 
 
 @dataclass(frozen=True, eq=False)
@@ -95,12 +102,16 @@ class Prepared:
         return np.ascontiguousarray(np.concatenate(columns))
 
 
+def unchecked() -> None:
+    """What to check where nothing ends an evaluation before its time."""
+
+
 def evaluated(
-    surface: MeshSurface, places: Floats, *, derivatives: bool
+    surface: MeshSurface, places: Floats, *, derivatives: bool, check: Check = unchecked
 ) -> tuple[Floats, Floats, Floats]:
     """(m, 3) each: S, S_u and S_v at places (m, 2); the latter two empty unless asked for.
 
-    ValueError for places that are not finite.
+    ValueError for places that are not finite; what `check` raises.
     """
     wanted = np.asarray(places, dtype=np.float64)
     if wanted.ndim != 2 or wanted.shape[1] != 2:
@@ -111,7 +122,7 @@ def evaluated(
     inside, signs = surface.domain.reduction(wanted)
     order = morton_order(inside)
     found = np.empty((len(order), 9 if derivatives else 3))
-    _evaluator()(prepared, inside[order], found)
+    _evaluator()(prepared, inside[order], found, check)
     back = np.empty_like(found)
     back[order] = found
     points = np.ascontiguousarray(back[:, :3])
@@ -120,16 +131,56 @@ def evaluated(
     return points, signs[:, None] * back[:, 3:6], signs[:, None] * back[:, 6:]
 
 
+def points_and_normals(
+    surface: MeshSurface, places: Floats, check: Check = unchecked
+) -> tuple[Floats, Floats]:
+    """(m, 3) points and unit normals S_u x S_v, to full accuracy; what `check` raises.
+
+    At a cone point of a pillow, where both tangents vanish, the normal is the mean of those around;
+    where the surface has none, zero.
+    """
+    points, by_u, by_v = evaluated(surface, places, derivatives=True)
+    normals = unit(np.cross(unit(by_u), unit(by_v)))
+    cones = cone_points(surface.domain, places)
+    if len(cones):
+        normals[cones] = _around(surface, places[cones])
+    return points, normals
+
+
+def _around(surface: MeshSurface, cones: Floats) -> Floats:
+    """(k, 3) unit normals of cone points (k, 2).
+
+    S is even about a cone point, so that its tangents at d are Q d with the second derivatives Q.
+    Of S_u x S_v, quadratic in d, the mean over all directions is that of two at right angles.
+    """
+    step = BESIDE * float(surface.sigmas[surface.planes.used].min())
+    total = np.zeros((len(cones), 3))
+    for aside in ([step, 0.0], [0.0, step]):
+        _, by_u, by_v = evaluated(surface, cones + aside, derivatives=True)
+        total += np.cross(by_u / step, by_v / step)
+    return unit(total)
+
+
+def cone_points(domain: Domain, places: Floats) -> NDArray[np.intp]:
+    """The numbers of the places at which turning images of the domain meet: none but in pillows."""
+    if not domain.turns:
+        return np.zeros(0, dtype=np.intp)
+    half = 0.5 * np.array(domain.periods)
+    away = places / half
+    away -= np.round(away)
+    return np.flatnonzero(np.abs(away).max(axis=1) * half.max() < AT)
+
+
 def _evaluator() -> Evaluator:
     """By compiled loops, or where numba is missing by trees of scipy."""
     try:
-        from plusedit.geometry.mesh import full_kernels
+        full_kernels = import_module("plusedit.geometry.mesh.full_kernels")
     except ImportError:
         from plusedit.geometry.mesh.tree_evaluation import evaluate
 
         return evaluate
 
-    def by_kernels(prepared: Prepared, places: Floats, found: Floats) -> None:
+    def by_kernels(prepared: Prepared, places: Floats, found: Floats, check: Check) -> None:
         tree = prepared.tree
         in_shares(
             lambda rows: full_kernels.evaluate(
@@ -143,21 +194,27 @@ def _evaluator() -> Evaluator:
                 found[rows],
             ),
             len(places),
+            check,
         )
 
     return by_kernels
 
 
-def in_shares(work: Callable[[slice], object], count: int) -> None:
+def in_shares(work: Callable[[slice], object], count: int, check: Check = unchecked) -> None:
     """Have the rows 0 to count worked through, on as many threads as there are processors."""
     shares = [slice(start, start + SHARE) for start in range(0, count, SHARE)]
+
+    def checked(rows: slice) -> None:
+        check()
+        work(rows)
+
     if len(shares) < 2:
         for rows in shares:
-            work(rows)
+            checked(rows)
         return
     from concurrent.futures import ThreadPoolExecutor
     from os import cpu_count
 
     with ThreadPoolExecutor(min(len(shares), cpu_count() or 1)) as pool:
-        for done in [pool.submit(work, rows) for rows in shares]:
+        for done in [pool.submit(checked, rows) for rows in shares]:
             done.result()

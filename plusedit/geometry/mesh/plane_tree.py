@@ -38,7 +38,14 @@ class PlaneTree:
     def of(cls, centers: Floats, reaches: Floats, faces: NDArray[np.intp]) -> "PlaneTree":
         """The tree of those faces, given the centers and reaches of all."""
         order = faces[morton_order(centers[faces])]
-        centers, reaches = centers[order], reaches[order]
+        return cls._of_ordered(order, centers[order], reaches[order])
+
+    def taken(self, numbers: NDArray[np.intp]) -> "PlaneTree":
+        """The tree of those planes, given by their rising numbers in the order of this one."""
+        return self._of_ordered(self.order[numbers], self.centers[numbers], self.reaches[numbers])
+
+    @classmethod
+    def _of_ordered(cls, order: NDArray[np.intp], centers: Floats, reaches: Floats) -> "PlaneTree":
         leaves = 1 << max(0, (-(-len(order) // LEAF) - 1).bit_length())
         boxes = np.tile([np.inf, np.inf, -np.inf, -np.inf], (2 * leaves, 1))
         largest = np.zeros(2 * leaves)

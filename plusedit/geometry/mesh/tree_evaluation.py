@@ -19,7 +19,7 @@ TOGETHER = 256  # places
 if TYPE_CHECKING:
     from scipy.spatial import KDTree
 
-    from plusedit.geometry.mesh.evaluation import Prepared
+    from plusedit.geometry.mesh.evaluation import Check, Prepared
 
 
 class _Octave(NamedTuple):
@@ -31,10 +31,11 @@ class _Octave(NamedTuple):
     """the largest sigma"""
 
 
-def evaluate(prepared: "Prepared", places: Floats, found: Floats) -> None:
+def evaluate(prepared: "Prepared", places: Floats, found: Floats, check: "Check") -> None:
     """found (m, 3 or 9) = S, and S_u and S_v if there is room, at places (m, 2) in the cell."""
     octaves = _octaves(prepared)
     for start in range(0, len(places), TOGETHER):
+        check()
         rows = slice(start, start + TOGETHER)
         _evaluate_some(prepared, octaves, places[rows], found[rows])
 

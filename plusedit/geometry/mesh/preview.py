@@ -1,0 +1,104 @@
+"""Mesh surfaces while a slider moves: nearly right, in a time that hardly depends on S.
+
+With D = sum W G and N = sum W L G the surface is N / D, and where many planes count, both vary
+only at the scale of sigma. So they are summed up at the nodes of grids and interpolated:
+
+* The planes are sorted into trees of sigmas that differ by a factor of 2.5 at most (`forest`).
+  Each tree has a grid of its own, of a spacing of 0.4 of its least sigma. Places gather from the
+  grids of all trees whose planes reach them, so that a fine grid is only where planes are small.
+* A grid is made tile by tile, some 56 nodes wide, and only where there are places. A Gaussian is a
+  product of one by u and one by v: a plane costs as many exponentials as its window of nodes has
+  columns and rows, and the products are made eight at a time (`grid_kernels`).
+* The larger S, the fewer nodes and tiles. A plane's window has the same number of nodes for all S.
+* Tiles with few places or planes, and for small S all, are summed up without a grid.
+
+Planes beyond 5.3 sigma are left out; the error stays below 1e-5 of the mesh's diagonal. Where D is
+too small to tell, the surface is evaluated to full accuracy.
+"""
+
+from functools import lru_cache
+from importlib import import_module
+from math import exp
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from plusedit.geometry.arrays import Floats
+from plusedit.geometry.mesh.domains import Domain
+from plusedit.geometry.mesh.evaluation import cone_points, points_and_normals
+from plusedit.geometry.mesh.forest import forest
+from plusedit.geometry.mesh.mesh_surface import MeshSurface
+from plusedit.geometry.mesh.preview_sums import Target, solitary, sums
+
+THIN = 0.02  # of D where planes lie evenly: below, the surface is evaluated to full accuracy
+
+Singles = NDArray[np.float32]
+
+
+class Preview(NamedTuple):
+    """The surface at places, nearly."""
+
+    points: Singles
+    """(m, 3)"""
+    normals: Singles
+    """(m, 3) unit vectors along S_u x S_v; zero where there is no normal"""
+
+
+def preview(surface: MeshSurface, places: Floats) -> Preview:
+    """Points and normals at places (m, 2), the points within 1e-5 of the mesh's diagonal.
+
+    What does not depend on S, s and the edits is kept for the next call; of places also, if they
+    are the same read-only array. Without numba all is to full accuracy and slow.
+    """
+    points = np.empty((len(places), 3), dtype=np.float32)
+    normals = np.zeros_like(points)
+    weak = _quickly(surface, places, points, normals)
+    if weak.any():
+        points[weak], normals[weak] = points_and_normals(surface, places[weak])
+    return Preview(points, normals)
+
+
+def _quickly(
+    surface: MeshSurface, places: Floats, points: Singles, normals: Singles
+) -> NDArray[np.bool_]:
+    """Fill points and normals; (m,) where that could not be done."""
+    weak = np.zeros(len(places), dtype=np.bool_)
+    try:
+        finish = import_module("plusedit.geometry.mesh.preview_kernels").finish
+    except ImportError:
+        return ~weak
+    if not len(places):
+        return weak
+    wood, smoothness = forest(surface.foundation), surface.smoothness
+    target = target_of(surface.domain, places)
+    found = sums(wood, surface.planes, target, smoothness, surface.s)
+    least = THIN * max(1.0, smoothness**2) * exp(-solitary(smoothness))
+    finish(found, target.order, least, wood.middle, wood.size, points, normals, weak)
+    weak[cone_points(surface.domain, places)] = True
+    return weak
+
+
+def target_of(domain: Domain, places: Floats) -> Target:
+    """The places in order; kept, if nobody can write to them."""
+    if places.flags.writeable:
+        return Target.of(domain, places)
+    return _known_target(domain, _Held(places))
+
+
+class _Held:
+    """An array known by its identity."""
+
+    def __init__(self, array: Floats) -> None:
+        self.array = array
+
+    def __hash__(self) -> int:
+        return id(self.array)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Held) and other.array is self.array
+
+
+@lru_cache(maxsize=8)
+def _known_target(domain: Domain, held: _Held) -> Target:
+    return Target.of(domain, held.array)
