@@ -249,6 +249,17 @@ def _with_gradients(surface: PlusSurface, gradients: dict[Key, Floats]) -> PlusS
     return replace(surface, planes=replace(planes, given=given, automatic=automatic))
 
 
+def corner_objection(surface: PlusSurface) -> str:
+    """Why the corners can't be made tangent, with what would help; empty where they can."""
+    try:
+        _check(surface)
+        for way, count in zip(WAYS, surface.planes.shape, strict=True):
+            _check_rows(way, count)
+    except ValueError as error:
+        return str(error)
+    return ""
+
+
 def _check(surface: PlusSurface) -> None:
     for way, basis in zip(WAYS, surface.bases, strict=True):
         if basis.closed:

@@ -217,6 +217,21 @@ def _with_gradients(curve: PlusCurve, gradients: dict[int, Floats]) -> PlusCurve
     return replace(curve, lines=lines)
 
 
+def end_objection(curve: PlusCurve, *, at_start: bool) -> str:
+    """Why one end can't be made tangent by itself, with what would help; empty where it can."""
+    try:
+        _check_open(curve)
+        _start(curve) if at_start else _end(curve)
+    except ValueError as error:
+        return str(error)
+    if len(curve.lines) < 3:
+        return (
+            "Tangency at an end needs at least 3 control lines: the one beside it turns. "
+            f"This curve has {len(curve.lines)}."
+        )
+    return ""
+
+
 def _check_open(curve: PlusCurve) -> None:
     if curve.closed:
         raise ValueError("A closed curve has no ends.")
