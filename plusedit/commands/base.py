@@ -1,7 +1,7 @@
 """What every command is made of."""
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Literal, TypeAlias, TypeVar
 
@@ -18,7 +18,10 @@ from plusedit.geometry.surface import PlusSurface, Way
 Kind = TypeVar("Kind", bound=Geometry)
 
 Targets = Mapping[ShapeId, tuple[int, ...]]
-"""Numbers of control lines and planes by shape, as `Selection.targets` gives them."""
+"""Numbers of control lines and planes by shape, as `Selection.targets` gives them.
+
+A mesh without any number is meant as a whole; with numbers the planes of those faces are.
+"""
 
 Side: TypeAlias = Literal["both", "u", "v"]
 """Which directions of a control plane are meant; a control line has only one, always meant."""
@@ -113,11 +116,12 @@ def named(design: Design, targets: Targets) -> str:
     """Such as "3 control planes", or "control line and 2 control planes"."""
     counts = {"control line": 0, "control plane": 0, "mesh": 0}
     for shape_id, rows in targets.items():
-        if shape_id in design and design[shape_id].mesh is not None:
+        shape = design.shapes.get(shape_id)
+        if shape is not None and shape.mesh is not None and not rows:
             counts["mesh"] += 1
-            continue
-        is_surface = shape_id in design and design[shape_id].surface is not None
-        counts["control plane" if is_surface else "control line"] += len(rows)
+        else:
+            has_planes = shape is not None and shape.curve is None
+            counts["control plane" if has_planes else "control line"] += len(rows)
     return many(counts)
 
 
@@ -216,31 +220,40 @@ def unlocked(design: Design, shape_id: ShapeId) -> Shape:
 def edit_nets(
     design: Design,
     targets: Targets,
-    edit: Callable[[ShapeId, PlusGeometry, list[int]], ControlNet],
+    edit: Callable[[ShapeId, Geometry, list[int]], ControlNet],
 ) -> Design:
     """The design with `edit` done to the named control lines and planes.
 
-    `edit` gets the curve or surface and the numbers meant, and gives its new net, or the very net
-    it has where nothing changes. EditError as in `edit_shapes`, and where a number is missing.
+    `edit` gets the geometry and the numbers meant, all faces of a mesh that is meant as a whole,
+    and gives its new net, or the very net it has where nothing changes. EditError as in
+    `edit_shapes`, and where a number is missing.
     """
 
-    def edited(shape_id: ShapeId, geometry: PlusGeometry) -> PlusGeometry:
-        rows = list(targets[shape_id])
+    def edited(shape_id: ShapeId, geometry: Geometry) -> Geometry:
+        rows = rows_meant(design, shape_id, targets[shape_id])
         if not rows:
             return geometry
         before = geometry.net
-        count = len(before)
-        if min(rows) < 0 or max(rows) >= count:
-            missing = next(row for row in rows if not 0 <= row < count)
-            noun = "line" if isinstance(geometry, PlusCurve) else "plane"
-            raise EditError(f"{design[shape_id].name} has no control {noun} {missing + 1}")
         net = edit(shape_id, geometry, rows)
         return geometry if net is before else geometry.with_net(net)
 
-    return edit_shapes(design, targets, edited)
+    return edit_geometries(design, targets, lambda i: design[i].geometry, edited)
 
 
-def ways_of(geometry: PlusGeometry, side: Side) -> Iterator[int]:
+def rows_meant(design: Design, shape_id: ShapeId, rows: Collection[int]) -> list[int]:
+    """The numbers given; for none of a mesh those of all its faces. EditError if one is missing."""
+    shape = design[shape_id]
+    count = shape.element_count
+    if not rows and shape.mesh is not None:
+        return list(range(count))
+    if rows and (min(rows) < 0 or max(rows) >= count):
+        missing = next(row for row in rows if not 0 <= row < count)
+        noun = "plane" if shape.curve is None else "line"
+        raise EditError(f"{shape.name} has no control {noun} {missing + 1}")
+    return list(rows)
+
+
+def ways_of(geometry: Geometry, side: Side) -> Iterator[int]:
     """The indices k of the directions `vectors[k]` that are meant."""
     if isinstance(geometry, PlusCurve):
         yield 0

@@ -8,7 +8,7 @@ import numpy as np
 from plusedit.commands.base import NetCommand, Side
 from plusedit.commands.directions import quarter_exact, redirected
 from plusedit.document.design import Design, EditError
-from plusedit.document.shape import PlusGeometry
+from plusedit.document.shape import Geometry
 from plusedit.geometry.arrays import Floats
 
 
@@ -30,7 +30,7 @@ class SetBearing(NetCommand):
         if self.elevation is not None and not abs(self.elevation) <= pi / 2.0:
             raise EditError("an elevation lies between -90 and 90 degrees")
 
-        def pointed(_: PlusGeometry, vectors: Floats) -> Floats:
+        def pointed(_: Geometry, vectors: Floats) -> Floats:
             if vectors.shape[-1] != 3:
                 raise ValueError("a plane curve has angles, no azimuth and elevation")
             flat = vectors.reshape(-1, 3)

@@ -21,10 +21,10 @@ from plusedit.commands.base import (
     ways_of,
 )
 from plusedit.document.design import Design
-from plusedit.document.shape import PlusGeometry, ShapeId
+from plusedit.document.shape import Geometry, ShapeId
 from plusedit.geometry.arrays import Floats
+from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.net import ControlNet
-from plusedit.geometry.surface import PlusSurface
 
 Plane = tuple[int, int]
 """Two axes: a positive angle turns from the first to the second."""
@@ -35,7 +35,7 @@ TOP: Plane = (0, 1)
 def redirected(
     design: Design,
     targets: Targets,
-    change: Callable[[PlusGeometry, Floats], Floats],
+    change: Callable[[Geometry, Floats], Floats],
     side: Side = "both",
     landings: tuple[Landing, ...] = (),
 ) -> Design:
@@ -44,7 +44,7 @@ def redirected(
     `change` gets those by u and those by v one after the other, (k, dim) each.
     """
 
-    def edited(shape_id: ShapeId, geometry: PlusGeometry, rows: list[int]) -> ControlNet:
+    def edited(shape_id: ShapeId, geometry: Geometry, rows: list[int]) -> ControlNet:
         net, vectors = geometry.net, geometry.vectors
         given, automatic = net.given_vectors.copy(), net.automatic_vectors.copy()
         ways = list(ways_of(geometry, side))
@@ -108,7 +108,7 @@ class Turn(NetCommand):
         if self.angle == 0.0 and self.factor == 1.0 and self.landing is None:
             return unchanged(design, self.targets)
 
-        def changed(_: PlusGeometry, directions: Floats) -> Floats:
+        def changed(_: Geometry, directions: Floats) -> Floats:
             return turned(directions, self.angle, self.plane) * self.factor
 
         landings = () if self.landing is None else (self.landing,)
@@ -135,8 +135,8 @@ class SetDirection(Command):
             return ResetDirections(targets, self.side).apply(design)
         direction = self.direction
 
-        def given(geometry: PlusGeometry, _: Floats) -> Floats:
-            if self.side == "both" and isinstance(geometry, PlusSurface):
+        def given(geometry: Geometry, _: Floats) -> Floats:
+            if self.side == "both" and not isinstance(geometry, PlusCurve):
                 raise ValueError("the directions by u and by v are set one at a time")
             return fitted(direction, geometry.dimension)[None]
 
@@ -157,7 +157,7 @@ class SetAngle(NetCommand):
         return "Set angle of"
 
     def apply(self, design: Design) -> Design:
-        def pointed(_: PlusGeometry, directions: Floats) -> Floats:
+        def pointed(_: Geometry, directions: Floats) -> Floats:
             if max(self.plane) >= directions.shape[1]:
                 raise ValueError("the angle of a plane curve is that in the top view")
             columns = list(self.plane)
@@ -182,12 +182,12 @@ class SetLength(NetCommand):
         return "Set length of"
 
     def apply(self, design: Design) -> Design:
-        def stretched(geometry: PlusGeometry, directions: Floats) -> Floats:
+        def stretched(geometry: Geometry, directions: Floats) -> Floats:
             if not self.length >= 0.0:
                 raise ValueError("a length can't be negative; reverse the direction instead")
             now = np.linalg.norm(directions, axis=1, keepdims=True)
             if self.length > 0.0 and not now.all():
-                noun = "plane" if isinstance(geometry, PlusSurface) else "line"
+                noun = "line" if isinstance(geometry, PlusCurve) else "plane"
                 raise ValueError(f"a control {noun} without a direction can't be made longer")
             scale = np.divide(self.length, now, out=np.zeros_like(now), where=now > 0.0)
             longer: Floats = directions * scale
@@ -230,7 +230,7 @@ class ReverseDirections(NetCommand):
 
 @dataclass(frozen=True, eq=False)
 class ResetDirections(NetCommand):
-    """Let directions follow the neighbouring control points again."""
+    """Let directions follow the neighbouring control points again; those of a face are its own."""
 
     side: Side = "both"
 
@@ -239,7 +239,7 @@ class ResetDirections(NetCommand):
         return "Reset"
 
     def apply(self, design: Design) -> Design:
-        def reset(_: ShapeId, geometry: PlusGeometry, rows: list[int]) -> ControlNet:
+        def reset(_: ShapeId, geometry: Geometry, rows: list[int]) -> ControlNet:
             net = geometry.net
             meant = np.ix_(list(ways_of(geometry, self.side)), rows)
             if net.automatic_vectors[meant].all():

@@ -22,7 +22,7 @@ from plusedit.commands.rotation import Rotate
 from plusedit.commands.soft_move import SoftMove
 from plusedit.commands.transform import Transform
 from plusedit.document.design import Design
-from plusedit.document.shape import PlusGeometry, ShapeId
+from plusedit.document.shape import Geometry, ShapeId
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.net import ControlNet
 
@@ -58,7 +58,7 @@ class MovePoints(NetCommand):
         return "Move"
 
     def apply(self, design: Design) -> Design:
-        def moved(shape_id: ShapeId, geometry: PlusGeometry, rows: list[int]) -> ControlNet:
+        def moved(shape_id: ShapeId, geometry: Geometry, rows: list[int]) -> ControlNet:
             net, by = geometry.net, fitted(self.by, geometry.dimension)
             if not by.any():
                 return net
@@ -84,7 +84,7 @@ class SetCoordinate(NetCommand):
         return f"Set {'xyz'[self.axis]} of"
 
     def apply(self, design: Design) -> Design:
-        def placed(_: ShapeId, geometry: PlusGeometry, rows: list[int]) -> ControlNet:
+        def placed(_: ShapeId, geometry: Geometry, rows: list[int]) -> ControlNet:
             if self.axis >= geometry.dimension:
                 raise ValueError(f"a plane curve has no {'xyz'[self.axis]}")
             points = geometry.net.control_points.copy()
@@ -105,7 +105,7 @@ class SetWeight(NetCommand):
         return "Set weight of"
 
     def apply(self, design: Design) -> Design:
-        def weighted(_: ShapeId, geometry: PlusGeometry, rows: list[int]) -> ControlNet:
+        def weighted(_: ShapeId, geometry: Geometry, rows: list[int]) -> ControlNet:
             net = geometry.net
             old = net.weight_row
             weights = np.ones(len(net)) if old is None else old.copy()

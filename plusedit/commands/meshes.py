@@ -109,12 +109,16 @@ class Remap(Command):
 def transformed_meshes(
     design: Design, targets: Targets, matrix: Floats, offset: Floats
 ) -> tuple[Design, Targets]:
-    """The design with x -> matrix x + offset done to the meshes among the targets, and the others.
+    """The design with x -> matrix x + offset done to the meshes that are meant as wholes.
 
-    A mesh is mapped as a whole; so is its surface, which follows it.
+    Such a mesh is mapped, and its surface follows it. What is left of the targets comes second.
     """
     turn, shift = fitted_matrix(matrix, 3), fitted(offset, 3)
-    meshes = [i for i in targets if design[i].mesh is not None]
+    meshes = [
+        i
+        for i, rows in targets.items()
+        if design[i].mesh is not None and (not rows or len(set(rows)) == design[i].element_count)
+    ]
 
     def mapped(_: ShapeId, surface: MeshSurface) -> MeshSurface:
         if (turn == np.eye(3)).all() and not shift.any():

@@ -7,7 +7,7 @@ import numpy as np
 from plusedit.commands.base import Landing, NetCommand, Side
 from plusedit.commands.directions import quarter_exact, redirected, unchanged
 from plusedit.document.design import Design
-from plusedit.document.shape import PlusGeometry
+from plusedit.document.shape import Geometry
 from plusedit.geometry.arrays import Floats
 
 ROUNDING = 1e-12  # of the largest entry: a matrix that deviates by less keeps the plane z = 0
@@ -56,7 +56,7 @@ class Rotate(NetCommand):
         if self.factor == 1.0 and not self.landings and np.array_equal(self.matrix, np.eye(3)):
             return unchanged(design, self.targets)
 
-        def changed(geometry: PlusGeometry, directions: Floats) -> Floats:
+        def changed(geometry: Geometry, directions: Floats) -> Floats:
             if geometry.dimension == 2 and not keeps_the_plane(self.matrix):
                 raise ValueError("a plane curve can be turned in the top view only")
             size = geometry.dimension

@@ -6,8 +6,9 @@ from functools import lru_cache
 import numpy as np
 
 from plusedit.commands.base import Landing, NetCommand, edit_nets, fitted
+from plusedit.commands.meshes import transformed_meshes
 from plusedit.document.design import Design
-from plusedit.document.shape import PlusGeometry, ShapeId
+from plusedit.document.shape import Geometry, ShapeId
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.net import ControlNet
 
@@ -35,7 +36,7 @@ class SoftMove(NetCommand):
         return "Softly move"
 
     def apply(self, design: Design) -> Design:
-        def moved(shape_id: ShapeId, geometry: PlusGeometry, rows: list[int]) -> ControlNet:
+        def moved(shape_id: ShapeId, geometry: Geometry, rows: list[int]) -> ControlNet:
             net, by = geometry.net, fitted(self.by, geometry.dimension)
             if not by.any():
                 return net
@@ -45,7 +46,8 @@ class SoftMove(NetCommand):
                 points[self.landing.number] = fitted(self.landing.vector, geometry.dimension)
             return net.with_control_points(points)
 
-        return edit_nets(design, self.targets, moved)
+        design, others = transformed_meshes(design, self.targets, np.eye(3), self.by)
+        return edit_nets(design, others, moved)
 
 
 @lru_cache(maxsize=8)

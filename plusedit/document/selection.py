@@ -1,8 +1,13 @@
-"""What is selected: shapes, and control lines or planes of them. Not a part of the design."""
+"""What is selected: shapes, and control lines or planes of them. Not a part of the design.
+
+The faces of a mesh are control planes here as those of a surface are. There may be many thousands.
+"""
 
 from collections import defaultdict
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from functools import cached_property
+from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
@@ -17,7 +22,8 @@ class LineId(NamedTuple):
 
     shape: ShapeId
     number: int
-    """counted from 0; plane (i, j) of a surface has the number i * n_v + j"""
+    """counted from 0; plane (i, j) of a surface has the number i * n_v + j, that of a mesh the
+    number of its face"""
 
 
 @dataclass(frozen=True)
@@ -70,23 +76,34 @@ class Selection:
 
     def by_shape(self) -> Mapping[ShapeId, tuple[int, ...]]:
         """The indices of the selected lines, rising, for each shape that has some."""
+        return self._by_shape
+
+    @cached_property
+    def _by_shape(self) -> Mapping[ShapeId, tuple[int, ...]]:
         found: dict[ShapeId, list[int]] = defaultdict(list)
         for line in self.lines:
             found[line.shape].append(line.number)
-        return {shape_id: tuple(sorted(indices)) for shape_id, indices in sorted(found.items())}
+        return MappingProxyType(
+            {shape_id: tuple(sorted(indices)) for shape_id, indices in sorted(found.items())}
+        )
+
+    @cached_property
+    def leading(self) -> LineId | None:
+        """The active line, else the first of all selected ones; None where there is none."""
+        return self.active or min(self.lines, default=None)
 
     def targets(self, design: Design) -> Mapping[ShapeId, tuple[int, ...]]:
         """What an edit of control lines acts on, by shape, in editable shapes only.
 
-        The selected lines; where a shape is selected without any line, all lines of it.
-        A mesh, which has none, is meant as a whole.
+        The selected lines; where a shape is selected without any line, all lines of it, but of a
+        mesh none: it is meant as a whole.
         """
         lines = self.by_shape()
         found: dict[ShapeId, tuple[int, ...]] = {}
         for shape_id in design:
             if shape_id in self.shapes and design[shape_id].editable:
-                geometry = design[shape_id].plus
-                count = 0 if geometry is None else len(geometry.net)
+                shape = design[shape_id]
+                count = 0 if shape.mesh is not None else shape.element_count
                 found[shape_id] = lines.get(shape_id, tuple(range(count)))
         return found
 
@@ -112,16 +129,13 @@ class Selection:
 
     def cut_to(self, design: Design) -> "Selection":
         """Without what the design does not have; itself if nothing goes."""
-        lines = frozenset(
-            line
-            for line in self.lines
-            if line.shape in design
-            and (geometry := design[line.shape].plus) is not None
-            and line.number < len(geometry.net)
-        )
-        shapes = frozenset(shape_id for shape_id in self.shapes if shape_id in design)
-        if lines == self.lines and shapes == self.shapes:
+        counts = {i: design[i].element_count for i in self.shapes if i in design}
+        if len(counts) == len(self.shapes) and all(
+            numbers[-1] < counts[shape_id] for shape_id, numbers in self._by_shape.items()
+        ):
             return self
+        lines = frozenset(line for line in self.lines if line.number < counts.get(line.shape, 0))
+        shapes = frozenset(counts)
         return Selection(lines, shapes, self.active)
 
 

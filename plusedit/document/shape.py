@@ -21,9 +21,10 @@ COLOR = re.compile("#[0-9a-fA-F]{6}", re.ASCII)
 
 
 PlusGeometry: TypeAlias = PlusCurve | PlusSurface
-"""What has a net of control lines or control planes that can be edited."""
+"""What is drawn from control lines or a grid of control planes alone."""
 
 Geometry: TypeAlias = PlusCurve | PlusSurface | MeshSurface
+"""What has a net of control elements that can be edited: lines, planes, planes of faces."""
 
 
 @dataclass(frozen=True)
@@ -73,6 +74,14 @@ class Shape:
     def plus(self) -> PlusGeometry | None:
         """The curve or surface with a control net; None where the shape is a mesh."""
         return None if isinstance(self.geometry, MeshSurface) else self.geometry
+
+    @property
+    def element_count(self) -> int:
+        """How many control lines, control planes or faces it has."""
+        if isinstance(self.geometry, MeshSurface):
+            # Its net has as many, but would have to be worked out.
+            return self.geometry.mesh.face_count
+        return len(self.geometry.net)
 
     @property
     def editable(self) -> bool:

@@ -5,6 +5,7 @@ import numpy as np
 from plusedit.document.selection import NOTHING_SELECTED, LineId, Selection
 from plusedit.document.shape import Shape, ShapeId
 from tests.designs import BOW, WING, a_curve
+from tests.scene.meshes import HILL, a_landscape
 
 FIRST, SECOND, OTHER = LineId(WING, 0), LineId(WING, 1), LineId(BOW, 2)
 
@@ -88,3 +89,23 @@ def test_of_lines_that_are_gone_none_is_active_under_the_number_of_another():
     selection = Selection.of_lines([FIRST, SECOND], FIRST)
     after = selection.renumbered({WING: np.array([1, 2])})
     assert after.lines == {LineId(WING, 0)} and after.active is None
+
+
+FACE = LineId(HILL, 7)
+
+
+def test_faces_of_a_mesh_are_selected_as_control_planes_are():
+    design = a_landscape()
+    assert Selection.of_lines([FACE]).targets(design) == {HILL: (7,)}
+    assert Selection.of_lines([FACE]).cut_to(design).lines == {FACE}
+    assert Selection.of_lines([FACE, LineId(HILL, 36)]).cut_to(design).lines == {FACE}
+
+
+def test_a_mesh_without_selected_faces_is_meant_as_a_whole():
+    assert Selection.of_shapes([HILL]).targets(a_landscape()) == {HILL: ()}
+
+
+def test_the_active_line_leads_else_the_first():
+    assert Selection.of_lines([FIRST, SECOND], SECOND).leading == SECOND
+    assert Selection.of_lines([SECOND, FIRST]).leading == FIRST
+    assert NOTHING_SELECTED.leading is None

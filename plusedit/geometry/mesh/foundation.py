@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.mesh.domains import Domain
+from plusedit.geometry.mesh.face_net import FaceNet
 from plusedit.geometry.mesh.plane_tree import PlaneTree
 from plusedit.geometry.mesh.planes import FacePlanes, planes_of
 from plusedit.geometry.mesh.polygons import PolygonMesh
@@ -31,7 +32,7 @@ class Foundation:
         """The foundation of these parts; of another one what it has in common is kept."""
         found = cls(parts)
         if before is not None and before.serves(parts._replace(factors=before.parts.factors)):
-            found.planes = before.planes
+            found.planes, found.net = before.planes, before.net
         return found
 
     def serves(self, parts: FoundationParts) -> bool:
@@ -56,6 +57,11 @@ class Foundation:
         if not len(planes.used):
             raise ValueError("parameters: no face has any extent in them, so there is no surface")
         return planes
+
+    @cached_property
+    def net(self) -> FaceNet:
+        """The same planes, as edits see them."""
+        return FaceNet.of(self.planes)
 
     @cached_property
     def reaches(self) -> Floats:

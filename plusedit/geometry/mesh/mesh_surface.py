@@ -12,36 +12,21 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from math import isfinite
-from types import MappingProxyType
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from plusedit.geometry.arrays import Floats, frozen
 from plusedit.geometry.mesh.domains import Domain
+from plusedit.geometry.mesh.face_net import EditedPlane, EditedPlanes, FaceNet
 from plusedit.geometry.mesh.foundation import Foundation, FoundationParts
 from plusedit.geometry.mesh.planes import FacePlanes
 from plusedit.geometry.mesh.polygons import PolygonMesh
+from plusedit.geometry.net import ControlNet
+
+__all__ = ["USUAL_SMOOTHNESS", "EditedPlane", "MeshSurface"]
 
 USUAL_SMOOTHNESS = 0.7
-
-
-@dataclass(frozen=True, eq=False)
-class EditedPlane:
-    """What of a face's control plane has been changed; None where it is still the face's."""
-
-    point: Floats | None = None
-    """(3,) P"""
-    gradient_u: Floats | None = None
-    """(3,) A"""
-    gradient_v: Floats | None = None
-    """(3,) B"""
-
-    def __post_init__(self) -> None:
-        for name in ("point", "gradient_u", "gradient_v"):
-            value = getattr(self, name)
-            if value is not None:
-                object.__setattr__(self, name, frozen(value, shape=(3,), name=name))
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,10 +58,11 @@ class MeshSurface:
             raise ValueError(f"smoothness: must be positive and finite, got {self.smoothness}")
         if not isfinite(self.s):
             raise ValueError(f"s: must be finite, got {self.s}")
-        for face in self.edited:
+        edited = EditedPlanes.of(self.edited)
+        for face in (*edited.faces[:1].tolist(), *edited.faces[-1:].tolist()):
             if not 0 <= face < count:
                 raise ValueError(f"planes: there is no face {face}, only 0 to {count - 1}")
-        object.__setattr__(self, "edited", MappingProxyType(dict(self.edited)))
+        object.__setattr__(self, "edited", edited)
         if self.shared is not None and self.shared.serves(self.foundation_parts):
             return
         if self.shared is None or self.parameters is not self.shared.parts.parameters:
@@ -103,24 +89,34 @@ class MeshSurface:
         assert self.shared is not None
         return self.shared
 
-    @cached_property
+    @property
     def planes(self) -> FacePlanes:
-        """The control planes with the edits made; centers, radii and weights stay the faces'."""
-        planes = self.foundation.planes
-        if not self.edited:
-            return planes
-        columns = {}
-        for column, part in (
-            ("points", "point"),
-            ("gradients_u", "gradient_u"),
-            ("gradients_v", "gradient_v"),
-        ):
-            values = getattr(planes, column).copy()
-            for face, edit in self.edited.items():
-                if (given := getattr(edit, part)) is not None:
-                    values[face] = given
-            columns[column] = values
-        return replace(planes, **columns)
+        """The control planes with the edits made; centers, radii and weights stay the faces'.
+
+        The same object as long as the edits are, whatever S and s.
+        """
+        return self.net.planes if self.edited else self.foundation.planes
+
+    @property
+    def dimension(self) -> int:
+        """3, as of every mesh."""
+        return 3
+
+    @property
+    def net(self) -> FaceNet:
+        """The control planes, as edits see them."""
+        return EditedPlanes.of(self.edited).on(self.foundation.net)
+
+    @property
+    def vectors(self) -> Floats:
+        """(2, f, 3) the gradients A and B of all faces."""
+        return self.net.vectors
+
+    def with_net(self, net: ControlNet) -> "MeshSurface":
+        """The same faces with other control planes; only what is not the faces' own is kept."""
+        if not isinstance(net, FaceNet):
+            raise TypeError("a mesh has the control planes of its faces")
+        return self.with_edited(net.edited)
 
     @property
     def sigmas(self) -> Floats:
@@ -189,13 +185,6 @@ class MeshSurface:
     def transformed(self, matrix: ArrayLike, offset: ArrayLike) -> "MeshSurface":
         """The surface of the mesh and the edited planes after x -> matrix x + offset."""
         turn, shift = np.asarray(matrix, dtype=np.float64), np.asarray(offset, dtype=np.float64)
-        edited = {
-            face: EditedPlane(
-                None if edit.point is None else turn @ edit.point + shift,
-                None if edit.gradient_u is None else turn @ edit.gradient_u,
-                None if edit.gradient_v is None else turn @ edit.gradient_v,
-            )
-            for face, edit in self.edited.items()
-        }
+        edited = EditedPlanes.of(self.edited).transformed(turn, shift)
         mesh = self.mesh.with_vertices(self.mesh.vertices @ turn.T + shift)
         return replace(self, mesh=mesh, edited=edited)
