@@ -81,7 +81,7 @@ class Reading:
     """of the size of each path; used where curves are fitted"""
 
 
-class _Question(QDialog):
+class Question(QDialog):
     """A short form with OK and Cancel, and a line for what is wrong."""
 
     def __init__(self, parent: QWidget | None, name: str, accept: str) -> None:
@@ -118,7 +118,7 @@ class _Question(QDialog):
         raise NotImplementedError
 
 
-class PictureDialog(_Question):
+class PictureDialog(Question):
     """View, size, theme and ground of a picture."""
 
     def __init__(
@@ -151,7 +151,7 @@ class PictureDialog(_Question):
         )
 
 
-class MeshDialog(_Question):
+class MeshDialog(Question):
     """Which kind of mesh, of what, and how near to the shapes."""
 
     def __init__(self, parent: QWidget | None, has_selection: bool) -> None:
@@ -174,7 +174,7 @@ class MeshDialog(_Question):
         return MeshExport(str(self.kind.currentData()), tolerance, self.only_selected.isChecked())
 
 
-class ReadingDialog(_Question):
+class ReadingDialog(Question):
     """How the paths of an SVG become curves."""
 
     def __init__(self, parent: QWidget | None) -> None:

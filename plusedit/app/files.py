@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QWidget
 
 from plusedit.app.background import CancelledError, Progress, in_background
 from plusedit.app.dialogs import DESIGN_SUFFIX, Dialogs
-from plusedit.app.mesh_opening import is_mesh, opened, told
+from plusedit.app.mesh_opening import MeshReading, is_mesh, opened, told
 from plusedit.app.settings import Settings
 from plusedit.document.design import Design
 from plusedit.events import Event
@@ -17,8 +17,7 @@ from plusedit.resources import is_shipped
 from plusedit.views.desk import Desk
 
 if TYPE_CHECKING:
-    from plusedit.io.mesh_import import Imported
-    from plusedit.io.mesh_report import ImportReport
+    from plusedit.io.mesh_import import ImportOptions
 
 UNTITLED = "Untitled"
 
@@ -50,9 +49,9 @@ class Files:
         """emitted when another design was put into the window"""
         self.notes: Event[str, tuple[str, ...]] = Event()
         """the name of a file, and what was repaired, left out or changed in reading it"""
-        self.reported: Event[ImportReport] = Event()
-        """what there is to tell of the mesh in a file"""
-        self._desk, self._settings = desk, settings
+        self.reported: Event[MeshReading] = Event()
+        """a file of a mesh whose parts are in the design now"""
+        self._desk, self.settings = desk, settings
         self._parent, self._view = parent, view
 
     @property
@@ -77,7 +76,7 @@ class Files:
 
     def open(self, path: Path | None = None) -> bool:
         """Open that file, or the one that the person names; false if none was opened."""
-        path = path or self.dialogs.open_path(self._folder())
+        path = path or self.dialogs.open_path(self.folder)
         if path is None:
             return False
         if is_mesh(path):
@@ -98,16 +97,21 @@ class Files:
             return False
         if not self.may_discard():
             return False
+        found.draw_at_once()
         self.show(found.design, path)
         self._remember(path)
-        self.notes.emit(path.name, told(found.report))
-        self.reported.emit(found.report)
+        self.tell_of_mesh(found.placed(tuple(found.design)))
         return True
 
-    def read_mesh(self, path: Path) -> "Imported | None":
+    def read_mesh(self, path: Path, options: "ImportOptions | None" = None) -> MeshReading | None:
         """The shapes in the file of a mesh, without the window standing still; errors are told."""
         progress = Progress()
-        return self.read(path, lambda: opened(path, progress.tell), progress)
+        return self.read(path, lambda: opened(path, progress.tell, options), progress)
+
+    def tell_of_mesh(self, found: MeshReading) -> None:
+        """Say what there is to say of a mesh whose parts are in the design now."""
+        self.notes.emit(found.path.name, told(found.report))
+        self.reported.emit(found)
 
     def show(self, design: Design, path: Path | None, *, saved: bool = True) -> None:
         """Put a design into the window."""
@@ -215,23 +219,25 @@ class Files:
 
     def _remember(self, path: Path) -> None:
         if not is_shipped(path):
-            self._settings.remember_file(path)
+            self.settings.remember_file(path)
         self.named.emit()
 
     def _forget_if_gone(self, path: Path) -> None:
         if not path.exists():
             gone = path.absolute()
-            self._settings.recent = [other for other in self._settings.recent if other != gone]
+            self.settings.recent = [other for other in self.settings.recent if other != gone]
             self.named.emit()
 
-    def _folder(self) -> Path:
+    @property
+    def folder(self) -> Path:
+        """Where files are looked for first."""
         if self.path is not None and not is_shipped(self.path):
             return self.path.parent
-        recent = [path.parent for path in self._settings.recent if path.parent.is_dir()]
+        recent = [path.parent for path in self.settings.recent if path.parent.is_dir()]
         return recent[0] if recent else Path.home()
 
     def _suggested(self, suffix: str) -> Path:
-        return self._folder() / f"{stem_of(self.name)}{suffix}"
+        return self.folder / f"{stem_of(self.name)}{suffix}"
 
 
 def keeps_all(path: Path) -> bool:

@@ -11,7 +11,8 @@ from PySide6.QtWidgets import QWidget
 from plusedit.app.autosave import Autosave, Left, left_behind
 from plusedit.app.clipboard import counted, fresh
 from plusedit.app.files import Files
-from plusedit.app.mesh_opening import told
+from plusedit.app.mesh_opening import read_again
+from plusedit.commands.base import Together
 from plusedit.commands.shapes import AddShapes
 from plusedit.events import Event
 from plusedit.io.formats import Loaded
@@ -20,7 +21,9 @@ from plusedit.views.desk import Desk
 
 if TYPE_CHECKING:
     from plusedit.app.export_dialogs import MeshExport, Picture, Reading
+    from plusedit.app.mesh_opening import MeshReading
     from plusedit.app.recovery import Choice
+    from plusedit.io.mesh_import import ImportOptions
 
 USUAL_PICTURE = (1600, 1200)  # pixels
 
@@ -33,6 +36,8 @@ class Flows:
         self._parent = parent
         self.ask_version: Callable[[Left], Choice] = self._ask_version
         """which version of a recovered design to go on with"""
+        self.ask_options: Callable[[Path, ImportOptions], ImportOptions | None] = self._ask_options
+        """how a mesh is to be read"""
         self.imported: Event[()] = Event()
         """emitted when shapes from a drawing, now selected, were added to the design"""
 
@@ -46,7 +51,7 @@ class Flows:
         from plusedit.app.export_dialogs import ReadingDialog
 
         self._desk.gestures.cancel()
-        path = path or self._files.dialogs.import_path(Path.home())
+        path = path or self._files.dialogs.import_path(self._files.folder)
         if path is None:
             return
         dialog = ReadingDialog(self._parent)
@@ -68,20 +73,56 @@ class Flows:
             self.imported.emit()
 
     def import_mesh(self, path: Path | None = None) -> None:
-        """Add the parts of a mesh or terrain to the design, in one step."""
+        """Add the parts of a mesh or terrain to the design, in one step, read as is asked first."""
+        from plusedit.app.mesh_options import options_of
+
         self._desk.gestures.cancel()
-        path = path or self._files.dialogs.mesh_path(Path.home())
-        found = None if path is None else self._files.read_mesh(path)
-        if path is None or found is None:
+        path = path or self._files.dialogs.mesh_path(self._files.folder)
+        if path is None:
+            return
+        options = self._asked(path, options_of(self._files.settings.mesh_options))
+        found = None if options is None else self._files.read_mesh(path, options)
+        if found is None:
             return
         import numpy as np
 
-        shapes = fresh(self._desk.session.committed, found.shapes, np.zeros(2))
-        if not self._desk.commit(AddShapes(shapes, name=f"Import {path.name}")):
-            self._desk.say(f"Imported {counted(len(shapes))} from {path.name}.")
-            self._files.notes.emit(path.name, told(found.report))
-            self._files.reported.emit(found.report)
-            self.imported.emit()
+        shapes = fresh(self._desk.session.committed, found.imported.shapes, np.zeros(2))
+        self._place(found, AddShapes(shapes, name=f"Import {path.name}"))
+
+    def import_again(self, before: "MeshReading") -> None:
+        """Read the file of a mesh in another way, and put its parts in place of those before."""
+        self._desk.gestures.cancel()
+        options = self._asked(before.path, before.options)
+        found = None if options is None else self._files.read_mesh(before.path, options)
+        if found is not None:
+            self._place(found, read_again(self._desk.session.committed, before, found))
+
+    def _asked(self, path: Path, options: "ImportOptions") -> "ImportOptions | None":
+        """What the person chooses, which is remembered; None if nothing is to be read."""
+        from plusedit.app.mesh_options import tree_of
+
+        chosen = self.ask_options(path, options)
+        if chosen is not None:
+            self._files.settings.mesh_options = tree_of(chosen)
+        return chosen
+
+    def _ask_options(self, path: Path, options: "ImportOptions") -> "ImportOptions | None":
+        from plusedit.app.mesh_options import MeshOptionsDialog
+
+        dialog = MeshOptionsDialog(self._parent, options, path.name)
+        return dialog.read() if dialog.exec() else None
+
+    def _place(self, found: "MeshReading", edit: AddShapes | Together) -> None:
+        """Put the parts of a mesh into the design, and tell of them."""
+        found.draw_at_once()
+        before = self._desk.session.committed
+        if self._desk.commit(edit):
+            return
+        design = self._desk.session.committed
+        ids = tuple(i for i in design if design[i] is not before.shapes.get(i))
+        self._desk.say(f"Imported {counted(len(ids))} from {found.path.name}.")
+        self._files.tell_of_mesh(found.placed(ids))
+        self.imported.emit()
 
     def export_png(self) -> None:
         """Write a picture of the design."""

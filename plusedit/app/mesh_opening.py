@@ -4,7 +4,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from plusedit.commands.replacing import ReplaceShapes
+from plusedit.commands.base import Together
+from plusedit.commands.shapes import AddShapes, DeleteShapes, Reorder
 from plusedit.document.design import Design
 from plusedit.document.shape import Shape, ShapeId
 from plusedit.io.opening import is_mesh, mesh_suffixes
@@ -52,9 +53,7 @@ class MeshReading:
         return replace(self, ids=ids)
 
 
-def opened(
-    path: Path, tell: "Progress", options: "ImportOptions | None" = None
-) -> MeshReading:
+def opened(path: Path, tell: "Progress", options: "ImportOptions | None" = None) -> MeshReading:
     """The parts of a mesh or terrain as surfaces, the largest first.
 
     FormatError in one sentence; what `tell` raises.
@@ -75,24 +74,30 @@ def opened(
     return MeshReading(path, wished, found, tuple(drawings))
 
 
-def read_again(design: Design, before: MeshReading, now: MeshReading) -> ReplaceShapes:
+def read_again(design: Design, before: MeshReading, now: MeshReading) -> Together:
     """The edit that puts the parts of a file, read in another way, in place of those before.
 
     Parts that the person has deleted are not missed. Where there are as many as before, each keeps
     the name and the style that it has been given.
     """
-    left = tuple(shape_id for shape_id in before.ids if shape_id in design)
-    rest = design.without(*left)
+    gone = tuple(shape_id for shape_id in before.ids if shape_id in design)
+    rest = design.without(*gone)
+    are_alike = len(before.ids) == len(now.imported.parts)
     found: dict[ShapeId, Shape] = {}
     for number, (shape_id, shape) in enumerate(now.imported.shapes):
-        taken = replace(rest, shapes={**rest.shapes, **found})
-        if len(before.ids) == len(now.imported.parts) and before.ids[number] in design:
+        if are_alike and before.ids[number] in design:
             shape_id, old = before.ids[number], design[before.ids[number]]
             shape = replace(shape, name=old.name, style=old.style)
         else:
-            shape_id = taken.unused_id(shape_id)
+            taken = {**design.shapes, **found}
+            shape_id = replace(design, shapes=taken).unused_id(shape_id)
         found[shape_id] = shape
-    return ReplaceShapes(left, tuple(found.items()), f"Import {now.path.name} again")
+    name = f"Import {now.path.name} again"
+    place = list(design).index(gone[0]) if gone else len(design)
+    ahead = [shape_id for shape_id in list(design)[:place] if shape_id in rest]
+    order = (*ahead, *found, *(shape_id for shape_id in rest if shape_id not in ahead))
+    commands = (DeleteShapes(gone), AddShapes(tuple(found.items()), name), Reorder(order))
+    return Together(name, commands)
 
 
 def told(report: "ImportReport") -> tuple[str, ...]:

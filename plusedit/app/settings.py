@@ -120,6 +120,15 @@ class Settings:
     def view(self, tree: Mapping[str, object]) -> None:
         self._stored.setValue("view", json.dumps(dict(tree)))
 
+    @property
+    def mesh_options(self) -> dict[str, object]:
+        """How the last mesh was imported."""
+        return self._tree("mesh_options")
+
+    @mesh_options.setter
+    def mesh_options(self, tree: Mapping[str, object]) -> None:
+        self._stored.setValue("mesh_options", json.dumps(dict(tree)))
+
     def bytes_of(self, name: str) -> QByteArray:
         """Bytes that Qt gave to keep, such as the places of docks; empty if there are none."""
         value = self._stored.value(name)

@@ -8,9 +8,10 @@ from plusedit import __version__
 
 if TYPE_CHECKING:
     from plusedit.app.help_window import HelpWindow
+    from plusedit.app.mesh_measuring import MeasuredReport
+    from plusedit.app.mesh_opening import MeshReading
     from plusedit.app.palette import Palette
     from plusedit.app.window import MainWindow
-    from plusedit.io.mesh_report import ImportReport
 
 
 class SideWindows:
@@ -20,8 +21,10 @@ class SideWindows:
         self._window = window
         self.palette: Palette | None = None
         self.help: HelpWindow | None = None
-        self.mesh_report: ImportReport | None = None
+        self.mesh_report: MeasuredReport | None = None
         """of the mesh that was read last"""
+        self._reading: MeshReading | None = None
+        self._shown_report: QDialog | None = None
 
     def show_palette(self) -> None:
         """The command palette."""
@@ -49,17 +52,44 @@ class SideWindows:
         self.help = HelpWindow(self._window.actions_table, self._window)
         self.help.show()
 
-    def keep_mesh_report(self, report: "ImportReport") -> None:
-        """Have that report at hand."""
-        self.mesh_report = report
+    def keep_mesh_report(self, reading: "MeshReading") -> None:
+        """Have the report of that mesh at hand; where one is shown, it is this one now."""
+        from plusedit.app.mesh_measuring import MeasuredReport
+
+        if self.mesh_report is not None:
+            self.mesh_report.cancel()
+        surfaces = [part.surface for part in reading.imported.parts]
+        self.mesh_report = MeasuredReport(reading.report, surfaces, self._window)
+        self._reading = reading
+        if reading.options.measure:
+            self.mesh_report.begin_soon()
         self._window.actions_table.refresh()
+        if self._shown_report is not None:
+            self.show_mesh_report()
 
     def show_mesh_report(self) -> None:
         """What was found in the mesh read last, in a window that may stay open."""
         from plusedit.app.mesh_report import MeshReportWindow
 
-        if self.mesh_report is not None:
-            MeshReportWindow(self._window, self.mesh_report).show()
+        if self.mesh_report is None:
+            return
+        self.mesh_report.begin()
+        shown = MeshReportWindow(self._window, self.mesh_report, self.import_mesh_again)
+        if self._shown_report is not None:
+            shown.setGeometry(self._shown_report.geometry())
+            self._shown_report.close()
+        self._shown_report = shown
+        shown.finished.connect(lambda: self._forget_report(shown))
+        shown.show()
+
+    def import_mesh_again(self) -> None:
+        """Read the file of the last mesh in another way."""
+        if self._reading is not None:
+            self._window.flows.import_again(self._reading)
+
+    def _forget_report(self, closed: QDialog) -> None:
+        if self._shown_report is closed:
+            self._shown_report = None
 
     def show_about(self) -> None:
         """Name, version, and what it is."""
