@@ -153,7 +153,8 @@ class FaceNet:
     @cached_property
     def given_vectors(self) -> Floats:
         """(2, f, 3) the gradients that were changed; zero where automatic."""
-        given: Floats = np.where(self.automatic_vectors[..., None], 0.0, self.vectors)
+        given, changed = np.zeros_like(self.vectors), np.nonzero(~self.automatic_vectors)
+        given[changed] = self.vectors[changed]
         given.flags.writeable = False
         return given
 
@@ -172,11 +173,11 @@ class FaceNet:
 
         A gradient that is given as it is by itself is automatic.
         """
-        chosen = np.where(np.asarray(automatic)[..., None], self.own_vectors, given)
-        vectors = frozen(chosen, shape=self.vectors.shape, name="gradients")
+        vectors, changed = self.own_vectors.copy(), np.nonzero(~np.asarray(automatic))
+        vectors[changed] = frozen(given[changed], shape=(None, 3), name="gradients")
         if np.array_equal(vectors, self.vectors):
             return self
-        return self._with(vectors=vectors, automatic_vectors=_same(vectors, self.own_vectors))
+        return self._with(vectors=vectors, automatic_vectors=~_differ(vectors, self.own_vectors))
 
     def with_weight_row(self, weights: Floats | None) -> "FaceNet":
         """The net itself for None. ValueError otherwise."""
@@ -203,14 +204,17 @@ class FaceNet:
     @cached_property
     def edited(self) -> EditedPlanes:
         """What differs from the faces' own planes."""
-        given = np.stack([~_same(self.control_points, self.own.points), *~self.automatic_vectors])
+        moved = _differ(self.control_points, self.own.points)
+        given = np.stack([moved, *~self.automatic_vectors])
         faces = np.flatnonzero(given.any(axis=0))
         parts = np.stack([self.control_points[faces], *self.vectors[:, faces]])
         parts[~given[:, faces]] = 0.0
         return EditedPlanes(faces, parts, given[:, faces], {self.own: self})
 
 
-def _same(one: Floats, other: Floats) -> Flags:
-    """(...,) where vectors (..., 3) are equal."""
-    same: Flags = (one == other).all(axis=-1)
-    return same
+def _differ(one: Floats, other: Floats) -> Flags:
+    """(...,) where vectors (..., 3) are not equal."""
+    # Column by column: `any` along so short an axis takes five times as long.
+    x, y, z = np.moveaxis(one != other, -1, 0)
+    differ: Flags = x | y | z
+    return differ
