@@ -11,15 +11,14 @@ from plusedit.document.shape import Style
 from plusedit.scene.camera import AXES, PlaneCamera
 from plusedit.scene.drawn_mesh import (
     drawing_of,
-    evaluated,
     keep,
     known_drawing,
-    net_of,
-    polygon_edges,
-    vertex_normals,
+    previewed,
 )
 from plusedit.scene.framing import framed
 from plusedit.scene.items import Mesh, Polyline, Segments
+from plusedit.scene.mesh_drawing import vertex_normals
+from plusedit.scene.mesh_nets import net_of, polygon_edges
 from plusedit.scene.options import ViewOptions
 from plusedit.scene.scene import scene_items
 from plusedit.scene.space_camera import SpaceCamera
@@ -111,7 +110,9 @@ def test_without_waiting_the_surface_before_the_change_stands_for_the_one_after(
 
 def test_a_quick_drawing_does_for_a_moment_and_gives_way_to_the_exact_one():
     surface = a_hill()
-    quick = keep(surface, evaluated(surface, quick=lambda surface, places: surface.at(places)))
+    quick = keep(surface, previewed(surface))
+    exact = surface.at(quick.net.places)
+    assert_allclose(quick.points, exact, atol=1e-5 * surface.mesh.diagonal)
     assert drawing_of(surface, wait=False) is quick
     assert drawing_of(surface).is_exact
 
