@@ -28,6 +28,7 @@ from plusedit.geometry.arrays import Floats
 from plusedit.geometry.mesh.domains import Domain
 from plusedit.geometry.mesh.evaluation import cone_points, points_and_normals
 from plusedit.geometry.mesh.forest import forest
+from plusedit.geometry.mesh.held import Held
 from plusedit.geometry.mesh.mesh_surface import MeshSurface
 from plusedit.geometry.mesh.preview_sums import Target, solitary, sums
 
@@ -83,22 +84,9 @@ def target_of(domain: Domain, places: Floats) -> Target:
     """The places in order; kept, if nobody can write to them."""
     if places.flags.writeable:
         return Target.of(domain, places)
-    return _known_target(domain, _Held(places))
-
-
-class _Held:
-    """An array known by its identity."""
-
-    def __init__(self, array: Floats) -> None:
-        self.array = array
-
-    def __hash__(self) -> int:
-        return id(self.array)
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Held) and other.array is self.array
+    return _known_target(domain, Held(places))
 
 
 @lru_cache(maxsize=8)
-def _known_target(domain: Domain, held: _Held) -> Target:
+def _known_target(domain: Domain, held: Held) -> Target:
     return Target.of(domain, held.array)

@@ -1,0 +1,120 @@
+"""Where a mesh surface can change at all when a few of its control planes do.
+
+To full accuracy a plane counts at a place only where its exponent e = |x - c|^2 / (2 sigma^2) is
+less than 36 above the least of all planes. That least is bounded by the e of a few planes with
+their centers near the place, which depend neither on S nor on edits and so are looked for once.
+"""
+
+from functools import lru_cache
+from math import inf
+
+import numpy as np
+from numpy.typing import NDArray
+
+from plusedit.geometry.arrays import Floats
+from plusedit.geometry.mesh.domains import Domain
+from plusedit.geometry.mesh.evaluation import DEEPEST, FLAT
+from plusedit.geometry.mesh.held import Held
+from plusedit.geometry.mesh.mesh_surface import MeshSurface
+from plusedit.geometry.mesh.planes import FacePlanes
+
+NEAREST = 4  # planes, of which that with the least e bounds it
+ROUNDING = 1e-9
+
+Rows = NDArray[np.intp]
+
+
+def changed_places(old: MeshSurface, new: MeshSurface, places: Floats) -> Rows | None:
+    """The numbers of the places (m, 2), ascending, where points and normals may differ.
+
+    Of surfaces that differ in some control planes or local factors alone; None for others, which
+    may differ anywhere. At all other places the surfaces agree to rounding. What is near the places
+    is kept for the next call if they are the same read-only array.
+    """
+    if not _comparable(old, new):
+        return None
+    faces = changed_faces(old, new)
+    if not len(faces) or not len(places):
+        return np.zeros(0, dtype=np.intp)
+    inside, near = near_planes(old, places)
+    narrow = np.minimum(old.sigmas, new.sigmas)
+    limits = DEEPEST + _least_exponents(old, inside, near, narrow)
+    wide = np.maximum(old.sigmas[faces], new.sigmas[faces])
+    found = np.zeros(len(inside), dtype=np.bool_)
+    octaves = np.floor(np.log2(wide))
+    for octave in np.unique(octaves):
+        chosen = octaves == octave
+        reaches = wide[chosen].max() * np.sqrt(2.0 * limits) * (1.0 + ROUNDING)
+        found |= _within(old, faces[chosen], inside, reaches)
+    return np.flatnonzero(found)
+
+
+def changed_faces(old: MeshSurface, new: MeshSurface) -> Rows:
+    """The faces whose control planes differ, ascending, of surfaces of the same mesh."""
+    before, after = old.planes, new.planes
+    differ = old.foundation.reaches != new.foundation.reaches
+    if before is not after:
+        for name in ("points", "gradients_u", "gradients_v"):
+            differ |= (getattr(before, name) != getattr(after, name)).any(axis=1)
+    return np.flatnonzero(differ & (before.radii > 0.0))
+
+
+def _comparable(old: MeshSurface, new: MeshSurface) -> bool:
+    parts = new.foundation_parts._replace(factors=old.factors)
+    same_numbers = (old.smoothness, old.s) == (new.smoothness, new.s)
+    return same_numbers and old.foundation.serves(parts)
+
+
+def near_planes(surface: MeshSurface, places: Floats) -> tuple[Floats, Rows]:
+    """The places (m, 2) moved into the cell, and (m, k) faces with planes centered near them."""
+    planes, domain = surface.foundation.planes, surface.domain
+    if places.flags.writeable:
+        return _near_planes(planes, domain, places)
+    return _known_near_planes(planes, domain, Held(places))
+
+
+@lru_cache(maxsize=8)
+def _known_near_planes(planes: FacePlanes, domain: Domain, held: Held) -> tuple[Floats, Rows]:
+    return _near_planes(planes, domain, held.array)
+
+
+def _near_planes(planes: FacePlanes, domain: Domain, places: Floats) -> tuple[Floats, Rows]:
+    from scipy.spatial import KDTree
+
+    inside = domain.reduced(places)
+    count = min(NEAREST, len(planes.used))
+    tree = KDTree(domain.shifted(planes.centers[planes.used]), balanced_tree=False)
+    _, nearest = tree.query(inside, count)
+    return inside, planes.used[nearest.reshape(len(inside), count)]
+
+
+def _least_exponents(surface: MeshSurface, inside: Floats, near: Rows, sigmas: Floats) -> Floats:
+    """(m,) no plane that is nearest in units of sigma has a larger e there."""
+    centers = surface.domain.shifted(surface.foundation.planes.centers)[near]
+    caps = FLAT * np.array(surface.domain.periods)
+    widths = np.minimum(sigmas[near][..., None], caps)
+    exponents = 0.5 * (((inside[:, None] - centers) / widths) ** 2).sum(axis=2)
+    least: Floats = exponents.min(axis=1)
+    return least
+
+
+def _within(
+    surface: MeshSurface, faces: Rows, inside: Floats, reaches: Floats
+) -> NDArray[np.bool_]:
+    """(m,) whether the center of one of these faces, or an image of it, is that near."""
+    from scipy.spatial import KDTree
+
+    domain = surface.domain
+    # So wide around, nearly every place is near some image.
+    found = reaches >= 0.5 * min(domain.periods)
+    rest = np.flatnonzero(~found)
+    if not len(rest):
+        return found
+    most = float(reaches[rest].max())
+    centers = domain.shifted(surface.foundation.planes.centers[faces])
+    images = domain.images(most if min(domain.periods) < inf else 0.0)
+    moved = images.signs[:, None, None] * centers + images.shifts[:, None]
+    tree = KDTree(moved.reshape(-1, 2))
+    away, _ = tree.query(inside[rest], distance_upper_bound=most * (1.0 + ROUNDING))
+    found[rest] = away <= reaches[rest]
+    return found
