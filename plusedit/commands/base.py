@@ -6,7 +6,9 @@ from dataclasses import dataclass, replace
 from typing import Literal, TypeAlias, TypeVar
 
 import numpy as np
+from numpy.typing import NDArray
 
+from plusedit.document.constraining import OldNumbers
 from plusedit.document.design import Design, EditError
 from plusedit.document.selection import Selection
 from plusedit.document.shape import Geometry, PlusGeometry, Shape, ShapeId
@@ -58,6 +60,10 @@ class Command(ABC):
         EditError if it can't be done.
         """
 
+    def old_numbers(self, old: Design, new: Design) -> OldNumbers:
+        """For shapes whose control lines or planes got other numbers, the old number of each."""
+        return {}
+
     def reselect(self, selection: Selection, old: Design, new: Design) -> Selection:
         """What is selected once the edit is committed: what was, as far as it is still there."""
         return selection.cut_to(new)
@@ -97,6 +103,17 @@ class Together(Command):
         for command in self.commands:
             design = command.apply(design)
         return design
+
+    def old_numbers(self, old: Design, new: Design) -> OldNumbers:
+        found: dict[ShapeId, NDArray[np.intp]] = {}
+        for command in self.commands:
+            between = command.apply(old)
+            for shape_id, numbers in command.old_numbers(old, between).items():
+                first = found.get(shape_id)
+                through = numbers if first is None else np.append(first, -1)[numbers]
+                found[shape_id] = through
+            old = between
+        return found
 
     def reselect(self, selection: Selection, old: Design, new: Design) -> Selection:
         for command in self.commands:

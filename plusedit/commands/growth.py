@@ -7,6 +7,7 @@ import numpy as np
 
 from plusedit.commands.base import Command, NetCommand, edit_curves, unlocked
 from plusedit.commands.planes import DeletePlanes, kept_planes, split
+from plusedit.document.constraining import OldNumbers
 from plusedit.document.design import Design, EditError
 from plusedit.document.selection import LineId, Selection
 from plusedit.document.shape import ShapeId
@@ -47,18 +48,21 @@ class DeleteLines(NetCommand):
         design = DeletePlanes(planes).apply(design)
         return design.without(*gone) if gone else design
 
-    def reselect(self, selection: Selection, old: Design, new: Design) -> Selection:
-        """What stays keeps being selected; else the neighbor, so that Delete can go on."""
+    def old_numbers(self, old: Design, new: Design) -> OldNumbers:
         lines, planes = split(old, self.targets)
-        if not lines:
-            return DeletePlanes(planes).reselect(selection, old, new)
         numbers = {
             shape_id: np.setdiff1d(np.arange(len(old.curve(shape_id).lines)), rows)
             for shape_id, rows in lines.items()
             if shape_id in new
         }
-        numbers |= kept_planes(old, new, planes)
-        kept = selection.renumbered(numbers).cut_to(new)
+        return numbers | kept_planes(old, new, planes)
+
+    def reselect(self, selection: Selection, old: Design, new: Design) -> Selection:
+        """What stays keeps being selected; else the neighbor, so that Delete can go on."""
+        lines, planes = split(old, self.targets)
+        if not lines:
+            return DeletePlanes(planes).reselect(selection, old, new)
+        kept = selection.renumbered(self.old_numbers(old, new)).cut_to(new)
         if kept.lines or len(self.targets) != 1:
             return kept
         (shape_id, rows), *_ = lines.items()
@@ -81,6 +85,11 @@ class InsertLine(Command):
 
     def apply(self, design: Design) -> Design:
         return edit_curves(design, [self.shape_id], lambda _, curve: inserted(curve, self.u)[0])
+
+    def old_numbers(self, old: Design, new: Design) -> OldNumbers:
+        curve = old.curve(self.shape_id)
+        rows = np.arange(len(curve.lines))
+        return {self.shape_id: np.insert(rows, inserted(curve, self.u)[1], -1)}
 
     def reselect(self, selection: Selection, old: Design, new: Design) -> Selection:
         number = inserted(old.curve(self.shape_id), self.u)[1]
@@ -122,6 +131,10 @@ class AppendLine(Command):
             return replace(added, s=usual_s(added)) if is_usual(curve) else added
 
         return edit_curves(design, [self.shape_id], longer)
+
+    def old_numbers(self, old: Design, new: Design) -> OldNumbers:
+        rows = np.arange(len(old.curve(self.shape_id).lines))
+        return {self.shape_id: np.insert(rows, len(rows) if self.at_end else 0, -1)}
 
     def reselect(self, selection: Selection, old: Design, new: Design) -> Selection:
         number = len(new.curve(self.shape_id).lines) - 1 if self.at_end else 0

@@ -18,10 +18,11 @@ from plusedit.commands.base import (
     many,
     unlocked,
 )
+from plusedit.document.constraining import OldNumbers
 from plusedit.document.design import Design, EditError
 from plusedit.document.selection import LineId, Selection
 from plusedit.document.shape import ShapeId
-from plusedit.geometry.surface import PlusSurface, Way
+from plusedit.geometry.surface import WAYS, PlusSurface, Way
 from plusedit.geometry.surface_insertion import (
     insert_column,
     insert_row,
@@ -51,6 +52,13 @@ class InsertRow(Command):
             return inserted(surface, self.way, self.value)[0]
 
         return edit_surfaces(design, [self.shape_id], larger)
+
+    def old_numbers(self, old: Design, new: Design) -> OldNumbers:
+        surface = old.surface(self.shape_id)
+        place = inserted(surface, self.way, self.value)[1]
+        count = surface.planes.shape[0] * surface.planes.shape[1]
+        grid = np.arange(count).reshape(surface.planes.shape)
+        return {self.shape_id: np.insert(grid, place, -1, axis=WAYS.index(self.way)).ravel()}
 
     def reselect(self, selection: Selection, old: Design, new: Design) -> Selection:
         place = inserted(old.surface(self.shape_id), self.way, self.value)[1]
@@ -109,6 +117,9 @@ class DeletePlanes(NetCommand):
         kept = [shape_id for shape_id in left if shape_id not in gone]
         design = edit_surfaces(design, kept, lambda i, surface: without(surface, left[i]))
         return design.without(*gone) if gone else design
+
+    def old_numbers(self, old: Design, new: Design) -> OldNumbers:
+        return kept_planes(old, new, self.targets)
 
     def reselect(self, selection: Selection, old: Design, new: Design) -> Selection:
         """Planes that stay keep being selected; else the row before, so that Delete can go on."""

@@ -21,6 +21,7 @@ from plusedit.commands.base import (
 from plusedit.commands.growth import AppendLine, DeleteLines, InsertLine
 from plusedit.commands.lines import MovePoints
 from plusedit.commands.naming import free_name, stem_of
+from plusedit.document.constraining import OldNumbers
 from plusedit.document.design import Design, EditError
 from plusedit.document.selection import Selection
 from plusedit.document.shape import Shape, ShapeId, Style
@@ -239,5 +240,8 @@ class ReverseCurves(Command):
     def apply(self, design: Design) -> Design:
         return edit_curves(design, self.ids, lambda _, curve: reversed_curve(curve))
 
+    def old_numbers(self, old: Design, new: Design) -> OldNumbers:
+        return {i: reversed_rows(old.curve(i).basis) for i in self.ids}
+
     def reselect(self, selection: Selection, old: Design, new: Design) -> Selection:
-        return selection.renumbered({i: reversed_rows(old.curve(i).basis) for i in self.ids})
+        return selection.renumbered(self.old_numbers(old, new))

@@ -4,15 +4,14 @@ Edits of how many rows and columns a surface has lie in `plusedit.commands.plane
 from surfaces in `plusedit.commands.extraction`; their names are here too.
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from plusedit.commands.base import Command, edit_surfaces, of_curves
 from plusedit.commands.extraction import ExtractBoundary, ExtractCurve
 from plusedit.commands.planes import DeletePlanes, InsertRow
+from plusedit.document.constraining import OldNumbers
 from plusedit.document.design import Design
 from plusedit.document.selection import Selection
 from plusedit.document.shape import ShapeId
@@ -68,8 +67,11 @@ class Transpose(Command):
     def apply(self, design: Design) -> Design:
         return edit_surfaces(design, self.ids, lambda _, surface: transposed(surface))
 
+    def old_numbers(self, old: Design, new: Design) -> OldNumbers:
+        return {i: transposed_numbers(old.surface(i)) for i in self.ids}
+
     def reselect(self, selection: Selection, old: Design, new: Design) -> Selection:
-        return _followed(selection, old, self.ids, transposed_numbers)
+        return selection.renumbered(self.old_numbers(old, new))
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,20 +91,11 @@ class ReverseWay(Command):
 
         return edit_surfaces(design, self.ids, backwards)
 
+    def old_numbers(self, old: Design, new: Design) -> OldNumbers:
+        return {i: reversed_numbers(old.surface(i), self.way) for i in self.ids}
+
     def reselect(self, selection: Selection, old: Design, new: Design) -> Selection:
-        return _followed(
-            selection, old, self.ids, lambda surface: reversed_numbers(surface, self.way)
-        )
-
-
-def _followed(
-    selection: Selection,
-    old: Design,
-    ids: Ids,
-    numbers: Callable[[PlusSurface], NDArray[np.intp]],
-) -> Selection:
-    """The selection under the new numbers of the planes of those surfaces."""
-    return selection.renumbered({i: numbers(old.surface(i)) for i in ids})
+        return selection.renumbered(self.old_numbers(old, new))
 
 
 @dataclass(frozen=True, eq=False)

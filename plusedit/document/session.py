@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from typing import Protocol
 
+from plusedit.document.constraining import OldNumbers, enforced
 from plusedit.document.design import Design
 from plusedit.document.history import History
 from plusedit.document.selection import NOTHING_SELECTED, Selection
@@ -18,6 +19,10 @@ class Edit(Protocol):
 
     def apply(self, design: Design) -> Design:
         """The edited design. EditError if it can't be done."""
+        ...
+
+    def old_numbers(self, old: Design, new: Design) -> OldNumbers:
+        """The old numbers of control lines and planes, where they got others."""
         ...
 
     def reselect(self, selection: Selection, old: Design, new: Design) -> Selection:
@@ -82,12 +87,12 @@ class Session:
 
         EditError if it can't be done; the preview before stays.
         """
-        self._show(edit.apply(self.committed))
+        self._show(self._edited(edit))
 
     def commit(self, edit: Edit) -> None:
         """Make `edit` a step of the history, in place of any preview. EditError as above."""
         before = self.committed
-        design = edit.apply(before)
+        design = self._edited(edit)
         if design is not before:
             self._chosen = edit.reselect(self._chosen, before, design)
         self._settle(lambda: self._history.push(edit.label_in(before), design))
@@ -123,6 +128,14 @@ class Session:
         """Select what the design has of `selection`."""
         self._chosen = selection.cut_to(self.design)
         self._cut()
+
+    def _edited(self, edit: Edit) -> Design:
+        """The committed design edited, its shapes keeping their constraints."""
+        before = self.committed
+        design = edit.apply(before)
+        if design is before:
+            return before
+        return enforced(before, design, lambda: edit.old_numbers(before, design))
 
     def _show(self, preview: Design | None) -> None:
         old, self._preview = self.design, preview

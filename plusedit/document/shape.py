@@ -8,6 +8,7 @@ from math import inf
 from types import MappingProxyType
 from typing import NewType, TypeAlias
 
+from plusedit.geometry.constraints import Wish
 from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.mesh.mesh_surface import MeshSurface
 from plusedit.geometry.surface import PlusSurface
@@ -54,6 +55,8 @@ class Shape:
     style: Style = Style()
     extra: Tree = field(default_factory=lambda: NOTHING)
     """keys of the file that this program does not know; nested under "basis" and "style" too"""
+    constraints: tuple[Wish, ...] = ()
+    """what a curve or surface keeps while anything else about it is edited"""
 
     @property
     def curve(self) -> PlusCurve | None:

@@ -11,6 +11,8 @@ from plusedit.document.design import Design
 from plusedit.document.shape import Geometry, Json, Shape, ShapeId, Style, Tree
 from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.surface import PlusSurface
+from plusedit.io.constraint_fields import KEY as CONSTRAINTS
+from plusedit.io.constraint_fields import constraint_trees, read_constraints
 from plusedit.io.curve_fields import CURVE_KEYS, curve_tree, read_curve
 from plusedit.io.fields import (
     Object,
@@ -34,7 +36,7 @@ FORMAT = "plusedit-design"
 VERSION = 1
 
 TOP = frozenset({"format", "version", "shapes", "view"})
-SHARED = frozenset({"id", "kind", "name", "visible", "locked", "style"})
+SHARED = frozenset({"id", "kind", "name", "visible", "locked", "style", CONSTRAINTS})
 STYLE = frozenset({"color", "width"})
 
 KEYS = {"curve": CURVE_KEYS, "surface": SURFACE_KEYS, "mesh": MESH_KEYS}
@@ -130,7 +132,9 @@ def _shape(shape_id: ShapeId, tree: Object) -> Shape:
     geometry, of_keys = _geometry(kind, tree)
     unknown = kept(tree, SHARED | KEYS[kind])
     style, of_style = _style(tree.get("style", {}))
-    inside = {key: found for key, found in {**of_keys, "style": of_style}.items() if found}
+    wishes, of_wishes = read_constraints(tree.get(CONSTRAINTS, []), geometry)
+    nested_keys: dict[str, Json] = {**of_keys, "style": of_style, CONSTRAINTS: of_wishes}
+    inside = {key: found for key, found in nested_keys.items() if found}
     return Shape(
         geometry,
         name=text(tree.get("name", shape_id), "name"),
@@ -138,6 +142,7 @@ def _shape(shape_id: ShapeId, tree: Object) -> Shape:
         locked=flag(tree.get("locked", False), "locked"),
         style=style,
         extra=MappingProxyType({**unknown, **inside}),
+        constraints=wishes,
     )
 
 
@@ -173,6 +178,8 @@ def _shape_tree(shape_id: ShapeId, shape: Shape) -> Mapping[str, object]:
     style = _style_tree(shape.style, nested(shape.extra, "style"))
     if style:
         tree["style"] = style
+    if wishes := constraint_trees(shape.constraints, shape.extra.get(CONSTRAINTS)):
+        tree[CONSTRAINTS] = wishes
     return {**tree, **own, **_without(shape.extra, SHARED | KEYS[kind])}
 
 
