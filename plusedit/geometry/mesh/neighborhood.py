@@ -7,6 +7,7 @@ their centers near the place, which depend neither on S nor on edits and so are 
 
 from functools import lru_cache
 from math import inf
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -36,16 +37,16 @@ def changed_places(old: MeshSurface, new: MeshSurface, places: Floats) -> Rows |
     faces = changed_faces(old, new)
     if not len(faces) or not len(places):
         return np.zeros(0, dtype=np.intp)
-    inside, near = near_planes(old, places)
+    near = near_planes(old, places)
     narrow = np.minimum(old.sigmas, new.sigmas)
-    limits = DEEPEST + _least_exponents(old, inside, near, narrow)
+    limits = DEEPEST + _least_exponents(near, narrow, old.domain)
     wide = np.maximum(old.sigmas[faces], new.sigmas[faces])
-    found = np.zeros(len(inside), dtype=np.bool_)
+    found = np.zeros(len(places), dtype=np.bool_)
     octaves = np.floor(np.log2(wide))
     for octave in np.unique(octaves):
         chosen = octaves == octave
         reaches = wide[chosen].max() * np.sqrt(2.0 * limits) * (1.0 + ROUNDING)
-        found |= _within(old, faces[chosen], inside, reaches)
+        found |= _within(old, faces[chosen], near.places, reaches)
     return np.flatnonzero(found)
 
 
@@ -65,8 +66,19 @@ def _comparable(old: MeshSurface, new: MeshSurface) -> bool:
     return same_numbers and old.foundation.serves(parts)
 
 
-def near_planes(surface: MeshSurface, places: Floats) -> tuple[Floats, Rows]:
-    """The places (m, 2) moved into the cell, and (m, k) faces with planes centered near them."""
+class Near(NamedTuple):
+    """Places and planes near them."""
+
+    places: Floats
+    """(m, 2) moved into the cell"""
+    faces: Rows
+    """(m, k) with their centers, or some of their images, near the place"""
+    away: Floats
+    """(m, k, 2) from these to the place"""
+
+
+def near_planes(surface: MeshSurface, places: Floats) -> Near:
+    """Some planes near each of the places (m, 2), whatever S, s, the edits and factors are."""
     planes, domain = surface.foundation.planes, surface.domain
     if places.flags.writeable:
         return _near_planes(planes, domain, places)
@@ -74,27 +86,24 @@ def near_planes(surface: MeshSurface, places: Floats) -> tuple[Floats, Rows]:
 
 
 @lru_cache(maxsize=8)
-def _known_near_planes(planes: FacePlanes, domain: Domain, held: Held) -> tuple[Floats, Rows]:
+def _known_near_planes(planes: FacePlanes, domain: Domain, held: Held) -> Near:
     return _near_planes(planes, domain, held.array)
 
 
-def _near_planes(planes: FacePlanes, domain: Domain, places: Floats) -> tuple[Floats, Rows]:
+def _near_planes(planes: FacePlanes, domain: Domain, places: Floats) -> Near:
     from scipy.spatial import KDTree
 
-    inside = domain.reduced(places)
-    count = min(NEAREST, len(planes.used))
-    tree = KDTree(domain.shifted(planes.centers[planes.used]), balanced_tree=False)
-    _, nearest = tree.query(inside, count)
-    return inside, planes.used[nearest.reshape(len(inside), count)]
+    inside, centers = domain.reduced(places), domain.reduced(planes.centers[planes.used])
+    count = min(NEAREST, len(centers))
+    _, found = KDTree(centers, balanced_tree=False).query(inside, count)
+    nearest = found.reshape(len(inside), count)
+    return Near(inside, planes.used[nearest], inside[:, None] - centers[nearest])
 
 
-def _least_exponents(surface: MeshSurface, inside: Floats, near: Rows, sigmas: Floats) -> Floats:
+def _least_exponents(near: Near, sigmas: Floats, domain: Domain) -> Floats:
     """(m,) no plane that is nearest in units of sigma has a larger e there."""
-    centers = surface.domain.shifted(surface.foundation.planes.centers)[near]
-    caps = FLAT * np.array(surface.domain.periods)
-    widths = np.minimum(sigmas[near][..., None], caps)
-    exponents = 0.5 * (((inside[:, None] - centers) / widths) ** 2).sum(axis=2)
-    least: Floats = exponents.min(axis=1)
+    widths = np.minimum(sigmas[near.faces][..., None], FLAT * np.array(domain.periods))
+    least: Floats = 0.5 * ((near.away / widths) ** 2).sum(axis=2).min(axis=1)
     return least
 
 

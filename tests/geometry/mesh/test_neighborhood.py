@@ -79,6 +79,14 @@ def test_only_the_neighborhood_is_told():
     assert 0 < agree_elsewhere(surface, lifted(surface, 1700), places) < 0.1 * len(places)
 
 
+@every_kind
+def test_only_the_neighborhood_is_told_in_every_domain(kind):
+    surface = kind(smoothness=0.25)
+    places = inner_places(surface, 400)
+    for face in range(0, surface.mesh.face_count, 40):
+        assert len(changed_places(surface, lifted(surface, face), places)) < 0.25 * len(places)
+
+
 def test_every_place_that_changes_is_told():
     surface = sheet()
     edited = lifted(surface, 900)
