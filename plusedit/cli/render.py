@@ -129,7 +129,7 @@ def _is_in_space(design: "Design", view: str) -> bool:
 
 def _svg(design: "Design", arguments: argparse.Namespace) -> bytes:
     from plusedit.scene.composition import composed
-    from plusedit.scene.items import Mesh, Patch
+    from plusedit.scene.items import Legend, Mesh, Patch
     from plusedit.scene.space_composition import composed_in_space
     from plusedit.scene.svg_picture import svg_of
     from plusedit.scene.theme import THEMES
@@ -139,7 +139,8 @@ def _svg(design: "Design", arguments: argparse.Namespace) -> bytes:
         picture = composed(design, arguments.size, PLANE.get(view))
         return svg_of(picture, picture.camera, theme, transparent=arguments.transparent)
     drawing = composed_in_space(design, arguments.size, _named(view))
-    flat = [item for item in drawing.layers if not isinstance(item, Patch | Mesh)]
+    # Without the surfaces there is nothing that a legend would speak of.
+    flat = [item for item in drawing.layers if not isinstance(item, Patch | Mesh | Legend)]
     return svg_of(flat, drawing.camera, theme, transparent=arguments.transparent)
 
 

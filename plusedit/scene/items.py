@@ -92,6 +92,8 @@ class Patch:
     back: str = "back"
     wire: str | None = None
     """color of the lines between samples, None for none"""
+    colors: NDArray[np.float32] | None = None
+    """(m_u, m_v, 3) red, green and blue of every sample, 0 to 1, in place of those of both sides"""
 
 
 @dataclass(frozen=True, eq=False)
@@ -110,4 +112,19 @@ class Mesh:
     """(m, 3) red, green and blue of every point, 0 to 1, in place of the colors of both sides"""
 
 
-Item: TypeAlias = Polyline | Polygon | Segments | Markers | Label | Patch | Mesh
+@dataclass(frozen=True, eq=False)
+class Legend:
+    """What the colors of surfaces stand for: a bar with numbers, in a corner of the picture."""
+
+    title: str
+    unit: str
+    """empty where there is none"""
+    colors: tuple[str, ...]
+    """along the bar, from low values to high ones"""
+    ticks: tuple[tuple[float, str], ...]
+    """how far along the bar, 0 to 1, and what stands there"""
+    is_open: tuple[bool, bool] = (False, False)
+    """whether some values are below its low end, or above its high end"""
+
+
+Item: TypeAlias = Polyline | Polygon | Segments | Markers | Label | Patch | Mesh | Legend

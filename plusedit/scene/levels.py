@@ -25,5 +25,6 @@ def at_level(design: Design, level: Level) -> Design:
 def with_overlays(design: Design, names: Iterable[str]) -> Design:
     """The design with these overlays switched on beside its own."""
     options = options_of(design.view)
-    shown = replace(options, overlays=options.overlays | frozenset(names))
-    return replace(design, view=view_tree(shown, old=design.view))
+    for name in names:
+        options = options.with_overlay(name, True)
+    return replace(design, view=view_tree(options, old=design.view))

@@ -9,6 +9,7 @@ from plusedit.document.shape import Shape
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.mesh.mesh_surface import MeshSurface
 from plusedit.scene.camera import Camera, PlaneCamera
+from plusedit.scene.color_scale import Colors
 from plusedit.scene.drawn_mesh import MeshDrawing, drawing_of
 from plusedit.scene.faceted_mesh import faceted
 from plusedit.scene.items import Item, Mesh, Polyline, Segments
@@ -29,14 +30,19 @@ _SEEN: "WeakKeyDictionary[MeshDrawing, tuple[Hashable, tuple[Floats, ...]]]" = W
 _SEGMENTS: "WeakKeyDictionary[MeshDrawing, dict[tuple[str, str], Segments]]" = WeakKeyDictionary()
 
 
-def mesh_item(shape: Shape, drawing: MeshDrawing) -> Mesh:
-    """The surface shaded, the same item as before while it is to look the same."""
+def mesh_item(shape: Shape, drawing: MeshDrawing, colors: Colors | None = None) -> Mesh:
+    """The surface shaded, the same item as before while it is to look the same.
+
+    With `colors` (n, 3) of its points instead of the colors of its sides.
+    """
     own, dim = shape.style.color, DIM if shape.locked else ""
     front, back = (own, darker(own)) if own else ("front", "back")
-    key = (drawing, front + dim, back + dim)
+    sides = front + dim, back + dim
+    key = (drawing, *sides, id(colors))
     kept = _ITEMS.get(key)
     if kept is None:
-        item = Mesh(drawing.points, drawing.net.triangles, drawing.normals, *key[1:])
+        # It holds its colors: as long as it is kept, no others get their number.
+        item = Mesh(drawing.points, drawing.net.triangles, drawing.normals, *sides, colors)
         kept = _ITEMS[key] = item
     return kept
 
@@ -50,10 +56,11 @@ def mesh_items_in_space(
     selected: bool,
     draft: bool,
     wait: bool,
+    colors: Colors | None = None,
 ) -> Iterator[Item]:
     """The surface shaded, its edges and, unless it is a draft, its silhouette."""
     drawing = faceted(surface.mesh) if options.facets else drawing_of(surface, wait=wait)
-    yield mesh_item(shape, drawing)
+    yield mesh_item(shape, drawing, colors)
     if options.wire:
         yield edge_item(drawing, "edges", WIRE)
     elif options.isolines and len(drawing.net.edges) <= FEW:

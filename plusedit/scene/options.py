@@ -7,6 +7,7 @@ from typing import Literal, TypeAlias, cast, get_args
 
 from plusedit.document.shape import Json, Tree
 from plusedit.scene.camera import LARGEST, SMALLEST, PlaneCamera, Projection
+from plusedit.scene.overlays import switched
 from plusedit.scene.space_camera import LARGEST as LARGEST_HEIGHT
 from plusedit.scene.space_camera import SMALLEST as LEAST_HEIGHT
 from plusedit.scene.space_camera import SpaceCamera
@@ -45,9 +46,8 @@ class ViewOptions:
     """how light falls on surfaces"""
 
     def with_overlay(self, name: str, is_on: bool) -> "ViewOptions":
-        """With that overlay switched on or off."""
-        overlays = self.overlays | {name} if is_on else self.overlays - {name}
-        return replace(self, overlays=overlays)
+        """With that overlay switched on or off; only one of those that color surfaces is on."""
+        return replace(self, overlays=switched(self.overlays, name, is_on))
 
 
 USUAL = ViewOptions()

@@ -12,7 +12,17 @@ from plusedit.geometry.curve import PlusCurve
 from plusedit.scene.drawn import drawn
 from plusedit.scene.drawn_surface import coarse_points
 from plusedit.scene.extremes import telling
-from plusedit.scene.items import Item, Label, Markers, Mesh, Patch, Polygon, Polyline, Segments
+from plusedit.scene.items import (
+    Item,
+    Label,
+    Legend,
+    Markers,
+    Mesh,
+    Patch,
+    Polygon,
+    Polyline,
+    Segments,
+)
 from plusedit.scene.options import ViewOptions
 from plusedit.scene.shapes import handle_items, overlay_items, shown_meshes, shown_shapes
 from plusedit.scene.space_camera import SpaceCamera
@@ -75,5 +85,5 @@ def _places(item: Item) -> Iterator[Floats]:
             yield ends
         case Label(at):
             yield at[None]
-        case Patch():
+        case Patch() | Legend():
             pass

@@ -15,9 +15,21 @@ import numpy as np
 from plusedit.document.design import Design
 from plusedit.document.selection import NOTHING_SELECTED, Selection
 from plusedit.document.shape import PlusGeometry, Shape, ShapeId
+from plusedit.geometry.arrays import Floats
 from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.surface import PlusSurface
 from plusedit.scene.arrows import direction_arrow
+from plusedit.scene.color_scale import Colors
+from plusedit.scene.coloring import (
+    NO_TINTS,
+    Tints,
+    coloring_overlay,
+    known_values,
+    mesh_values,
+    surface_values,
+    tinted,
+)
+from plusedit.scene.drawn_mesh import drawing_of
 from plusedit.scene.drawn_surface import Grids, surface_grids
 from plusedit.scene.gizmo import gizmo_items, gizmo_of
 from plusedit.scene.items import Item, Label, Mesh, Patch, Polygon
@@ -83,6 +95,7 @@ def space_items(
     lines: list[Item] = []
     labels: list[Item] = []
     with np.errstate(all="ignore"):
+        tints = _tints(design, camera, options, draft=draft, wait=wait, only=only)
         overlays = chain(
             overlay_items(shown, camera, options),
             mesh_overlay_items(shown_meshes(design, only), camera, options),
@@ -91,7 +104,13 @@ def space_items(
             item
             for shape_id, shape, geometry in shown
             for item in _shape(
-                shape, geometry, camera, options, shape_id in selection.shapes, draft
+                shape,
+                geometry,
+                camera,
+                options,
+                shape_id in selection.shapes,
+                draft,
+                tints.by_shape.get(shape_id),
             )
         )
         meshes = (
@@ -105,6 +124,7 @@ def space_items(
                 selected=shape_id in selection.shapes,
                 draft=draft,
                 wait=wait,
+                colors=tints.by_shape.get(shape_id),
             )
         )
         for item in filter(is_finite, chain(overlays, shapes, meshes)):
@@ -119,7 +139,34 @@ def space_items(
                     lines.append(item)
         handles = filter(is_finite, _handles(design, camera, options, selection, only))
         labels += filter(is_finite, _gizmo(design, camera, options, selection))
+        if tints.legend is not None:
+            labels.append(tints.legend)
         return SpaceLayers(tuple(solids), tuple(glass), tuple(lines), tuple(handles), tuple(labels))
+
+
+def _tints(
+    design: Design,
+    camera: SpaceCamera,
+    options: ViewOptions,
+    *,
+    draft: bool,
+    wait: bool,
+    only: Collection[ShapeId] | None,
+) -> Tints:
+    """What the overlay that is switched on colors, as far as it is known or waited for."""
+    entry = coloring_overlay(options.overlays)
+    if entry is None:
+        return NO_TINTS
+    values: dict[ShapeId, Floats | None] = {}
+    for shape_id, _, geometry in shown_shapes(design, only):
+        if isinstance(geometry, PlusSurface):
+            grids = surface_grids(geometry, camera, draft=draft)
+            values[shape_id] = surface_values(entry, geometry, grids)
+    for shape_id, _, surface in shown_meshes(design, only) if not options.facets else ():
+        drawing = drawing_of(surface, wait=wait)
+        find = mesh_values if wait else known_values
+        values[shape_id] = find(entry, surface, drawing)
+    return tinted(entry, {i: found for i, found in values.items() if found is not None})
 
 
 def is_opaque(item: Solid) -> bool:
@@ -134,12 +181,13 @@ def _shape(
     options: ViewOptions,
     selected: bool,
     draft: bool,
+    colors: Colors | None,
 ) -> Iterator[Item]:
     if isinstance(geometry, PlusCurve):
         yield from curve_items(shape, geometry, camera, selected=selected)
         return
     grids = surface_grids(geometry, camera, draft=draft)
-    yield _patch(shape, geometry, grids, options)
+    yield _patch(shape, geometry, grids, options, colors)
     color = "selected" if selected else "line"
     yield from surface_line_items(
         shape,
@@ -157,15 +205,22 @@ _PATCHES: "WeakValueDictionary[tuple[object, ...], Patch]" = WeakValueDictionary
 """Those that someone still draws."""
 
 
-def _patch(shape: Shape, surface: PlusSurface, grids: Grids, options: ViewOptions) -> Patch:
+def _patch(
+    shape: Shape,
+    surface: PlusSurface,
+    grids: Grids,
+    options: ViewOptions,
+    colors: Colors | None,
+) -> Patch:
     """The surface shaded, the same item as before while it is to look the same."""
     own, dim = shape.style.color, DIM if shape.locked else ""
     front, back = (own, darker(own)) if own else ("front", "back")
     wire = WIRE if options.wire else None
-    key = (surface, *grids, front + dim, back + dim, wire)
+    key = (surface, *grids, front + dim, back + dim, wire, id(colors))
     kept = _PATCHES.get(key)
     if kept is None:
-        kept = _PATCHES[key] = Patch(surface, *grids, front + dim, back + dim, wire)
+        # It holds its colors: as long as it is kept, no others get their number.
+        kept = _PATCHES[key] = Patch(surface, *grids, front + dim, back + dim, wire, colors)
     return kept
 
 

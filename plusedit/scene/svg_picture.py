@@ -3,7 +3,7 @@
 Positions are the camera's pixels, sizes and dashes the painter's; text stays text.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import singledispatchmethod
 from xml.sax.saxutils import escape, quoteattr
@@ -19,7 +19,8 @@ from plusedit.scene.clipping import (
     clipped_segments,
     reaches_beyond,
 )
-from plusedit.scene.items import Dash, Item, Label, Markers, Polygon, Polyline, Segments
+from plusedit.scene.items import Dash, Item, Label, Legend, Markers, Polygon, Polyline, Segments
+from plusedit.scene.legends import PlacedLegend, Word, placed
 from plusedit.scene.theme import Theme
 
 BEYOND = 2000.0  # pixels around the picture within which lines are drawn as they are
@@ -128,18 +129,53 @@ class _Picture:
 
     @elements.register
     def _(self, item: Label) -> list[str]:
-        at = self.camera.to_screen(item.at[None])[0] + item.offset
-        if not (np.abs(at) < BEYOND * 10).all():
+        x, y = (self.camera.to_screen(item.at[None])[0] + item.offset).tolist()
+        if not max(abs(x), abs(y)) < BEYOND * 10:
             return []
-        ((x, y),) = _rows(at[None])
-        anchor = ANCHORS[item.anchor]
-        font = f'font-family={quoteattr(FONT)} font-size="{_number(item.size)}"'
-        text = escape("".join(c for c in item.text if c.isprintable()))
-        place = f'x="{x}" y="{y}" text-anchor="{anchor}"'
-        return [f"<text {place} {font} {self.fill(item.color)}>{text}</text>"]
+        return [self._word(Word(x, y, item.text, item.color, item.size, item.anchor))]
+
+    @elements.register
+    def _(self, item: Legend) -> list[str]:
+        legend = placed(item, self.camera.size)
+        if legend is None:
+            return []
+        ground = f"{self.fill('panel')} {self.stroke('border', 1.0)}"
+        ticks = "".join(f"M{_number(a)} {_number(y)}H{_number(b)}" for a, b, y in legend.ticks)
+        return [
+            f'<rect {_extent(legend.box)} rx="4" {ground}/>',
+            *_bar(legend),
+            f'<path d="{ticks}" {self.stroke("text", 1.0)}/>',
+            *(self._word(word) for word in legend.words),
+        ]
+
+    def _word(self, word: Word) -> str:
+        font = f'font-family={quoteattr(FONT)} font-size="{_number(word.size)}"'
+        text = escape("".join(c for c in word.text if c.isprintable()))
+        place = f'x="{_number(word.x)}" y="{_number(word.y)}" text-anchor="{ANCHORS[word.anchor]}"'
+        return f"<text {place} {font} {self.fill(word.color)}>{text}</text>"
 
     def _box(self) -> Box:
         return np.full(2, -BEYOND), np.array(self.camera.size) + BEYOND
+
+
+def _bar(legend: PlacedLegend) -> Iterator[str]:
+    """The colors of a legend, and the tips at its ends."""
+    last = len(legend.colors) - 1
+    stops = "".join(
+        f'<stop offset="{_number(number / last)}" stop-color="{color}"/>'
+        for number, color in enumerate(legend.colors)
+    )
+    upwards = 'id="legend" x1="0" y1="1" x2="0" y2="0"'
+    yield f"<defs><linearGradient {upwards}>{stops}</linearGradient></defs>"
+    yield f'<rect {_extent(legend.bar)} fill="url(#legend)"/>'
+    for tip, color in zip(legend.tips, (legend.colors[0], legend.colors[-1]), strict=True):
+        if tip:
+            yield f'<polygon points="{_points(np.array(tip))}" fill="{color}"/>'
+
+
+def _extent(box: tuple[float, float, float, float]) -> str:
+    names = ("x", "y", "width", "height")
+    return " ".join(f'{name}="{_number(n)}"' for name, n in zip(names, box, strict=True))
 
 
 def _colored(name: str, color: str) -> str:

@@ -23,7 +23,18 @@ from plusedit.scene.clipping import (
     clipped_segments,
     reaches_beyond,
 )
-from plusedit.scene.items import Item, Label, Markers, Mesh, Patch, Polygon, Polyline, Segments
+from plusedit.scene.items import (
+    Item,
+    Label,
+    Legend,
+    Markers,
+    Mesh,
+    Patch,
+    Polygon,
+    Polyline,
+    Segments,
+)
+from plusedit.scene.legends import placed
 from plusedit.scene.theme import Theme
 from plusedit.views.arrays import polygon_of
 
@@ -194,6 +205,15 @@ def _(item: Label, to: ItemPainter) -> None:
     to.painter.setFont(font)
     to.painter.setPen(color_of(to.theme.color(item.color)))
     to.painter.drawText(QPointF(at[0] - shift, at[1]), item.text)
+
+
+@_draw.register
+def _(item: Legend, to: ItemPainter) -> None:
+    from plusedit.views.legend import paint_legend
+
+    legend = placed(item, to.camera.size)
+    if legend is not None:
+        paint_legend(to.painter, legend, to.theme)
 
 
 _ROUND, _SQUARE = Qt.PenCapStyle.RoundCap, Qt.PenCapStyle.SquareCap

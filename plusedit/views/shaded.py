@@ -56,6 +56,8 @@ def _faces(item: Patch | Mesh, camera: Camera, theme: Theme) -> tuple[list[Float
     light = _light(np.where(is_front[:, None], normals, -normals) @ camera.axes_of_view.T)
     sides = np.array([_channels(theme.color(item.back)), _channels(theme.color(item.front))])
     colors = sides[is_front.astype(int)]
+    if item.colors is not None:
+        colors[:, :3] = 255.0 * _own_colors(item, item.colors.astype(np.float64))
     colors[:, :3] = np.clip(colors[:, :3] * light[:, None], 0.0, 255.0)
     is_seen = np.isfinite(screen).all(axis=(1, 2))
     return list(screen[is_seen]), depths[is_seen], colors[is_seen]
@@ -63,13 +65,32 @@ def _faces(item: Patch | Mesh, camera: Camera, theme: Theme) -> tuple[list[Float
 
 def _quadrilaterals(patch: Patch) -> Floats:
     """(k, 4, 3) the corners of the cells between samples."""
-    grids = [
-        grid if len(grid) <= FINEST else Grid.uniform(FINEST)
-        for grid in (patch.grid_u, patch.grid_v)
-    ]
-    points = patch.surface.sample(*grids)
-    cells = np.stack([points[:-1, :-1], points[1:, :-1], points[1:, 1:], points[:-1, 1:]], axis=2)
-    return cells.reshape(-1, 4, 3)
+    return _cells(patch.surface.sample(*map(_coarse, (patch.grid_u, patch.grid_v))))
+
+
+def _coarse(grid: Grid) -> Grid:
+    return grid if len(grid) <= FINEST else Grid.uniform(FINEST)
+
+
+def _cells(samples: Floats) -> Floats:
+    """(k, 4, 3) what is at the corners of the cells between samples (m_u, m_v, 3)."""
+    around = samples[:-1, :-1], samples[1:, :-1], samples[1:, 1:], samples[:-1, 1:]
+    return np.stack(around, axis=2).reshape(-1, 4, 3)
+
+
+def _own_colors(item: Patch | Mesh, colors: Floats) -> Floats:
+    """(k, 3) the colors of the faces: the means of those of their corners."""
+    if isinstance(item, Mesh):
+        by_corner: Floats = colors[item.triangles]
+    else:
+        # Samples are many where only some are drawn: the nearest ones stand for those.
+        rows, columns = (
+            np.abs(_coarse(grid).parameters[:, None] - grid.parameters).argmin(axis=1)
+            for grid in (item.grid_u, item.grid_v)
+        )
+        by_corner = _cells(colors[np.ix_(rows, columns)])
+    means: Floats = by_corner.mean(axis=1)
+    return means
 
 
 def _normals(corners: Floats) -> Floats:

@@ -13,6 +13,7 @@ from plusedit.geometry.blend import Grid
 from plusedit.scene.composition import SIZE
 from plusedit.scene.items import Item, Mesh, Patch, Polyline
 from plusedit.scene.options import options_of, view_tree
+from plusedit.scene.overlays import overlays
 from plusedit.scene.space_camera import SpaceCamera
 from plusedit.scene.space_composition import composed_in_space
 from plusedit.scene.theme import LIGHT, Theme
@@ -33,11 +34,13 @@ def sketch_of(
     transparent: bool = False,
     ratio: float = 1.0,
 ) -> QImage:
-    """The surfaces and curves of a design, framed in `size` logical pixels.
+    """The surfaces and curves of a design, framed in `size` logical pixels, without a legend.
 
     It is looked at as the design's own 3D view looks; `ratio` pixels of the image to each.
     """
-    bare = replace(options_of(design.view), overlays=frozenset(), handles="none", isolines=False)
+    own = options_of(design.view)
+    colored = frozenset(name for name in own.overlays if name in overlays and overlays[name].colors)
+    bare = replace(own, overlays=colored, handles="none", isolines=False)
     plain = replace(design, view=view_tree(bare, old=design.view))
     image = blank_image(size, theme, transparent=transparent, ratio=ratio)
     faces = sum(surface.mesh.face_count for _, surface in design.meshes())

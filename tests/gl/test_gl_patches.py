@@ -19,7 +19,7 @@ from plusedit.views.gl.patches import PatchBuffers, frame_of, key_of
 from plusedit.views.gl.programs import Program
 from plusedit.views.gl.sight import Sight
 from tests.geometry.surfaces import PAIRS, a_surface, random_surface
-from tests.gl.easel import SIZE, Easel
+from tests.gl.easel import SIZE, Easel, at
 
 pytestmark = pytest.mark.gl
 
@@ -244,3 +244,50 @@ def test_the_shader_gives_the_points_and_normals_of_the_surface(shaded, kind_u, 
     clear = steep > 0.02
     assert clear.sum() > 100
     assert_allclose(normals[clear], (across / slant[:, None])[clear], atol=2e-3)
+
+
+RED_TO_BLUE = np.linspace([1.0, 0.0, 0.0], [0.0, 0.0, 1.0], len(GRID))
+ALONG_U = np.repeat(RED_TO_BLUE[:, None], len(GRID), axis=1).astype(np.float32)
+
+
+def ends_of(pixels, surface):
+    """The colors on the screen near both ends of u."""
+    return [at(pixels, VIEW, surface.at([u], [0.5])[0, 0])[:3] for u in (0.1, 0.9)]
+
+
+def test_colors_at_samples_are_seen_where_these_are(easel):
+    surface = a_surface()
+    red, blue = ends_of(easel.draw(patch_of(surface, colors=ALONG_U), camera=VIEW), surface)
+    assert red[0] > red[2] + 60
+    assert blue[2] > blue[0] + 60
+
+
+def test_colors_that_are_taken_away_are_seen_no_more(easel, gl):
+    surface = a_surface()
+    easel.draw(patch_of(surface, colors=ALONG_U), camera=VIEW)
+    bare = easel.draw(patch_of(surface), camera=VIEW)
+    fresh = Easel(gl)
+    assert_array_equal(bare, fresh.draw(patch_of(surface), camera=VIEW))
+    fresh.put_away()
+
+
+def test_only_colors_that_changed_are_sent(easel, sent):
+    surface = a_surface()
+    easel.draw(patch_of(surface, colors=ALONG_U), camera=VIEW)
+    sent.clear()
+    easel.draw(patch_of(surface, colors=ALONG_U), camera=VIEW.orbited(0.1, 0.0))
+    assert sent == []
+    easel.draw(patch_of(surface, colors=ALONG_U[::-1].copy()), camera=VIEW)
+    assert sent == [ALONG_U.nbytes]
+
+
+def test_two_surfaces_of_the_same_planes_have_each_their_own_colors(easel):
+    near, far = a_surface(s=0.0), a_surface(s=1.0)
+    pixels = easel.draw(
+        patch_of(near, colors=np.zeros_like(ALONG_U)),
+        patch_of(far, colors=np.ones_like(ALONG_U)),
+        camera=VIEW,
+    )
+    brightness = pixels[..., :3].max(axis=-1)
+    assert (brightness < 100).any()
+    assert (brightness > 200).any()

@@ -1,5 +1,7 @@
 """Pictures of designs in space: the same in the window, in tiles, and from a new context."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -9,15 +11,19 @@ from plusedit.document.shape import Shape, ShapeId
 from plusedit.geometry.blend import Grid
 from plusedit.interaction.gesture import Gestures
 from plusedit.scene.camera import PlaneCamera
-from plusedit.scene.items import Markers, Patch, Polygon, Polyline
+from plusedit.scene.items import Legend, Markers, Patch, Polygon, Polyline
+from plusedit.scene.legends import placed
+from plusedit.scene.options import ViewOptions, view_tree
 from plusedit.scene.space_camera import STANDARD
 from plusedit.scene.space_composition import composed_in_space
 from plusedit.scene.theme import DARK, LIGHT
 from plusedit.views import space_picture
 from plusedit.views.gl.context import context_for_pictures
+from plusedit.views.sketch import sketch_of
 from plusedit.views.space_picture import space_image_of, space_png
 from tests.geometry.surfaces import a_surface
 from tests.gl.easel import ISO, Easel
+from tests.scene.meshes import a_hill, a_landscape
 
 pytestmark = pytest.mark.gl
 
@@ -149,3 +155,33 @@ def test_a_thousand_frames_leave_nothing_behind(alive, gl):
     assert len(alive) == before
     easel.put_away()
     assert not alive
+
+
+@pytest.mark.parametrize("theme", [LIGHT, DARK], ids=["light", "dark"])
+@pytest.mark.parametrize("transparent", [False, True])
+def test_a_colored_surface_has_its_legend_in_the_corner(qapp, theme, transparent):
+    tree = view_tree(ViewOptions(overlays=frozenset({"deviation"})), old={})
+    colored = replace(a_landscape(a_hill(smoothness=2.0)), view=tree)
+    pixels = pixels_of(space_image_of(colored, SIZE, theme, transparent=transparent))
+    layers = composed_in_space(colored, SIZE).layers
+    legend = placed(next(item for item in layers.labels if isinstance(item, Legend)), SIZE)
+    left, top, width, height = (round(side) for side in legend.bar)
+    for color, y in ((legend.colors[-1], top + 1), (legend.colors[0], top + height - 2)):
+        wanted = [int(color[i : i + 2], 16) for i in (1, 3, 5)]
+        assert np.abs(pixels[y, left + width // 2, :3] - wanted).max() < 12
+    ground = [int(theme.color("panel")[i : i + 2], 16) for i in (1, 3, 5)]
+    corner = pixels[round(legend.box[1]) + 5, round(legend.box[0]) + 5]
+    assert corner[3] > 200
+    assert np.abs(corner[:3] - ground).max() < 32
+    (mesh,) = layers.solids
+    assert np.ptp(mesh.colors, axis=0).max() > 0.3
+
+
+def test_colored_surfaces_are_colored_without_opengl_too(qapp):
+    tree = view_tree(ViewOptions(overlays=frozenset({"deviation"})), old={})
+    bare = a_landscape(a_hill(smoothness=2.0))
+    plain, colored = (
+        pixels_of(sketch_of(design, SIZE)) for design in (bare, replace(bare, view=tree))
+    )
+    gray = np.ptp(plain[..., :3], axis=-1).max()
+    assert np.ptp(colored[..., :3], axis=-1).max() > gray + 40

@@ -1,3 +1,4 @@
+import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -11,6 +12,7 @@ from plusedit.scene.options import (
     space_camera_of,
     view_tree,
 )
+from plusedit.scene.overlays import Overlay, overlays
 from plusedit.scene.space_camera import SpaceCamera
 from tests.designs import json_values, words
 
@@ -109,3 +111,20 @@ def test_an_overlay_is_switched_on_and_off():
     on = ViewOptions().with_overlay("hulls", True)
     assert "hulls" in on.overlays
     assert on.with_overlay("hulls", False) == ViewOptions()
+
+
+def test_one_overlay_that_colors_surfaces_is_on_at_a_time(monkeypatch):
+    other = Overlay("other", "Other", 99, "")
+    other.coloring_of_surfaces(lambda surface, u, v: np.zeros((len(u), len(v))))
+    monkeypatch.setitem(overlays._filled(), "other", other)
+    one = ViewOptions().with_overlay("deviation", True)
+    two = one.with_overlay("other", True)
+    assert two.overlays == ViewOptions().overlays | {"other"}
+    assert two.with_overlay("hulls", True).overlays >= {"other", "hulls"}
+    assert two.with_overlay("deviation", True) == one
+    assert two.with_overlay("other", False) == ViewOptions()
+
+
+def test_an_overlay_that_nobody_knows_stays_switched_on():
+    kept = ViewOptions(overlays=frozenset({"unheard of"})).with_overlay("deviation", True)
+    assert kept.overlays == {"unheard of", "deviation"}

@@ -1,26 +1,38 @@
 """What every overlay on the shelf has to keep, whoever wrote it."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
-from numpy.testing import assert_array_equal
+from numpy.testing import assert_allclose, assert_array_equal
 
 from plusedit.document.shape import Shape
 from plusedit.geometry.bases import families
 from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.lines import ControlLines
 from plusedit.scene.camera import AXES, PlaneCamera
+from plusedit.scene.drawn_mesh import drawing_of
 from plusedit.scene.items import Label, Markers, Mesh, Patch, Polygon, Polyline, Segments
-from plusedit.scene.overlays import in_order, overlays
+from plusedit.scene.overlays import Coloring, in_order, overlays
 from plusedit.scene.space_camera import SpaceCamera
 from plusedit.scene.theme import THEMES
 from tests.designs import bits
 from tests.geometry.curves import KINDS, random_curve
 from tests.geometry.surfaces import PAIRS, a_surface, random_surface
+from tests.scene.meshes import a_hill
 
 every_overlay = pytest.mark.parametrize("name", list(overlays))
 of_surfaces = pytest.mark.parametrize(
     "name", [name for name, entry in overlays.items() if "surface" in entry.takes]
 )
+coloring_meshes = pytest.mark.parametrize(
+    "name", [name for name, entry in overlays.items() if "mesh" in entry.colors]
+)
+coloring_surfaces = pytest.mark.parametrize(
+    "name", [name for name, entry in overlays.items() if "surface" in entry.colors]
+)
+HILL = a_hill()
+HILLS = [HILL, a_hill(smoothness=4.0), a_hill(s=0.0), a_hill(1)]
 CAMERA = PlaneCamera((800.0, 600.0), scale=200.0)
 IN_SPACE = SpaceCamera((800.0, 600.0), height=3.0)
 
@@ -141,6 +153,50 @@ def test_its_colors_are_in_every_theme(name, camera):
 def test_it_says_what_it_can_be_drawn_of(name):
     assert overlays[name].takes
     assert "surface" in overlays[name].takes or not drawn(name, a_surface())
+    assert "mesh" in overlays[name].takes or not drawn(name, a_hill())
+
+
+@coloring_meshes
+@pytest.mark.parametrize("surface", HILLS, ids=["usual", "smooth", "without s", "one face"])
+def test_it_has_a_value_at_every_point_of_a_mesh_that_is_drawn(name, surface):
+    drawing = drawing_of(surface)
+    values = overlays[name].mesh_values(surface, drawing)
+    assert values.shape == (len(drawing.points),)
+    assert values.dtype == np.float64
+    assert not np.isinf(values).any()
+    assert np.isfinite(values).mean() > 0.5
+    assert_array_equal(values, overlays[name].mesh_values(surface, drawing))
+
+
+@coloring_meshes
+def test_values_on_meshes_take_any_precision(name):
+    surface = a_hill(smoothness=2.0)
+    exact = drawing_of(surface)
+    single = replace(exact, points=exact.points.astype(np.float32), is_exact=False)
+    values = [overlays[name].mesh_values(surface, drawing) for drawing in (exact, single)]
+    assert_allclose(values[1], values[0], atol=1e-3 * np.nanmax(np.abs(values[0])))
+
+
+@coloring_surfaces
+@pytest.mark.parametrize("kinds", PAIRS)
+def test_it_has_a_value_at_every_sample_of_a_surface(name, kinds):
+    u, v = np.linspace(0.0, 1.0, 7), np.linspace(0.0, 1.0, 5)
+    values = overlays[name].surface_values(random_surface(*kinds, contrast=4.0), u, v)
+    assert values.shape == (7, 5)
+    assert values.dtype == np.float64
+    assert not np.isinf(values).any()
+
+
+@every_overlay
+def test_what_colors_surfaces_says_what_of_and_what_else_does_not(name):
+    entry = overlays[name]
+    assert entry.colors <= entry.takes
+    assert entry.colors or entry.coloring == Coloring()
+    assert ("mesh" in entry.colors) == (entry.mesh_values(HILL, drawing_of(HILL)) is not None)
+    even = np.linspace(0.0, 1.0, 3)
+    assert ("surface" in entry.colors) == (
+        entry.surface_values(a_surface(), even, even) is not None
+    )
 
 
 @every_overlay

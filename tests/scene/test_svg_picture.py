@@ -7,7 +7,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from plusedit.scene.camera import PlaneCamera
-from plusedit.scene.items import Label, Markers, Polygon, Polyline, Segments
+from plusedit.scene.items import Label, Legend, Markers, Polygon, Polyline, Segments
 from plusedit.scene.svg_picture import svg_of
 from plusedit.scene.theme import DARK, LIGHT
 
@@ -115,3 +115,14 @@ def test_what_lies_out_of_view_leaves_nothing():
         Label(far[0], "far", "text"),
     ]
     assert not len(picture(*items, transparent=True))
+
+
+def test_a_legend_has_its_colors_words_and_ticks():
+    ticks = ((0.0, "0"), (0.5, "1"), (1.0, "2"))
+    legend = Legend("Deviation <a>", "%", ("#102030", "#405060", "#F0E0D0"), ticks, (False, True))
+    root = picture(legend)
+    assert [text.text for text in root.iter(SVG + "text")] == ["Deviation <a>", "%", "0", "1", "2"]
+    stops = [stop.get("stop-color") for stop in root.iter(SVG + "stop")]
+    assert stops == list(legend.colors)
+    assert only(root, "path").get("d").count("M") == 3
+    assert only(root, "polygon").get("fill") == "#F0E0D0"

@@ -13,6 +13,20 @@ shape's geometry and a camera of the plane or of space to items:
 
 They are asked for every visible shape of a design while the overlay is switched on. What they
 draw lies below the curves in the plane; in space depth decides.
+
+An overlay can color surfaces in space instead, by values at the points that are drawn:
+
+    twist = overlay("twist", title="Twist", order=80, coloring=Coloring(unit="1 / unit\u00b2"))
+
+    @twist.coloring_of_surfaces
+    def surface_twist(surface: PlusSurface, u: Floats, v: Floats) -> Floats: ...  # (m_u, m_v)
+
+    @twist.coloring_of_meshes
+    def mesh_twist(surface: MeshSurface, drawing: MeshDrawing) -> Floats: ...  # (n,)
+
+The values depend on nothing else. Those of meshes are found in a thread beside the window's, so
+they may take their time; values that are not numbers are gray. All surfaces that are shown have one
+scale, with a legend in a corner. Only one overlay colors surfaces at a time.
 """
 
 from collections.abc import Callable, Iterable
@@ -20,17 +34,38 @@ from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
 
 from plusedit.document.shape import Geometry, Shape
+from plusedit.geometry.arrays import Floats
 from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.mesh.mesh_surface import MeshSurface
 from plusedit.geometry.surface import PlusSurface
 from plusedit.registry import Registry
 from plusedit.scene.camera import Camera
+from plusedit.scene.color_scale import Kind
 from plusedit.scene.items import Item
+from plusedit.scene.mesh_drawing import MeshDrawing
 
 Taken: TypeAlias = Literal["curve", "surface", "mesh"]
 DrawCurve: TypeAlias = Callable[[Shape, PlusCurve, Camera], Iterable[Item]]
 DrawSurface: TypeAlias = Callable[[Shape, PlusSurface, Camera], Iterable[Item]]
 DrawMesh: TypeAlias = Callable[[Shape, MeshSurface, Camera], Iterable[Item]]
+SurfaceValues: TypeAlias = Callable[[PlusSurface, Floats, Floats], Floats]
+MeshValues: TypeAlias = Callable[[MeshSurface, MeshDrawing], Floats]
+
+
+@dataclass(frozen=True)
+class Coloring:
+    """How values become colors, and what the legend says of them."""
+
+    title: str = ""
+    """of the legend; that of the overlay if empty"""
+    unit: str = ""
+    kind: Kind = "sequential"
+    """diverging where zero is in the middle and both signs count alike"""
+    fixed: tuple[float | None, float | None] = (None, None)
+    """the values at the ends of the scale; where None, by what is shown: from zero, for values that
+    are all positive, to a round number that but a few are beyond"""
+    least: float = 0.0
+    """the largest value is taken to be that at least, so that rounding errors have no colors"""
 
 
 @dataclass
@@ -44,19 +79,36 @@ class Overlay:
     """its place in the menu, and in drawing: the lowest lies below all others"""
     shortcut: str
     """such as "Shift+H", or nothing"""
+    coloring: Coloring = Coloring()
     _of_curves: DrawCurve | None = field(default=None, init=False, repr=False)
     _of_surfaces: DrawSurface | None = field(default=None, init=False, repr=False)
     _of_meshes: DrawMesh | None = field(default=None, init=False, repr=False)
+    _surface_values: SurfaceValues | None = field(default=None, init=False, repr=False)
+    _mesh_values: MeshValues | None = field(default=None, init=False, repr=False)
 
     @property
     def takes(self) -> frozenset[Taken]:
-        """What it can be drawn of."""
+        """What it can be drawn of, or colors."""
         draws: dict[Taken, object] = {
             "curve": self._of_curves,
             "surface": self._of_surfaces,
             "mesh": self._of_meshes,
         }
-        return frozenset(kind for kind, draw in draws.items() if draw is not None)
+        return self.colors | {kind for kind, draw in draws.items() if draw is not None}
+
+    @property
+    def colors(self) -> frozenset[Taken]:
+        """What it colors; nothing if it draws items alone."""
+        values: dict[Taken, object] = {"surface": self._surface_values, "mesh": self._mesh_values}
+        return frozenset(kind for kind, given in values.items() if given is not None)
+
+    def surface_values(self, surface: PlusSurface, u: Floats, v: Floats) -> Floats | None:
+        """(m_u, m_v) what a surface is colored by at parameters u and v; None if by nothing."""
+        return None if self._surface_values is None else self._surface_values(surface, u, v)
+
+    def mesh_values(self, surface: MeshSurface, drawing: MeshDrawing) -> Floats | None:
+        """(n,) what a surface is colored by at the points that are drawn; None if by nothing."""
+        return None if self._mesh_values is None else self._mesh_values(surface, drawing)
 
     def draw(self, shape: Shape, geometry: Geometry, camera: Camera) -> Iterable[Item]:
         """What is drawn of a shape; nothing of a kind that it does not take."""
@@ -81,15 +133,41 @@ class Overlay:
         self._of_meshes = draw
         return draw
 
+    def coloring_of_surfaces(self, values: SurfaceValues) -> SurfaceValues:
+        """A decorator: color surfaces by those values."""
+        self._surface_values = values
+        return values
+
+    def coloring_of_meshes(self, values: MeshValues) -> MeshValues:
+        """A decorator: color surfaces of meshes by those values."""
+        self._mesh_values = values
+        return values
+
 
 overlays: Registry[Overlay] = Registry("plusedit.scene.overlays")
 
 
-def overlay(name: str, *, title: str, order: int, shortcut: str = "") -> Overlay:
+def overlay(
+    name: str,
+    *,
+    title: str,
+    order: int,
+    shortcut: str = "",
+    coloring: Coloring = Coloring(),
+) -> Overlay:
     """A new entry on the shelf, which draws nothing yet."""
-    return overlays.register(name)(Overlay(name, title, order, shortcut))
+    return overlays.register(name)(Overlay(name, title, order, shortcut, coloring))
 
 
 def in_order() -> list[Overlay]:
     """All overlays, in the order of the menu and of drawing."""
     return sorted(overlays.values(), key=lambda entry: (entry.order, entry.name))
+
+
+def switched(names: frozenset[str], name: str, is_on: bool) -> frozenset[str]:
+    """Those names with one more or less; what colors surfaces switches off what did before."""
+    if not is_on:
+        return names - {name}
+    if name in overlays and overlays[name].colors:
+        names = frozenset(i for i in names if i not in overlays or not overlays[i].colors)
+    return names | {name}

@@ -126,6 +126,8 @@ class PatchBuffers:
         self._buffers = [Buffer(gl) for _ in TERMS]
         for location, buffer in enumerate(self._buffers):
             self._vertices.read(buffer, 12, Attribute(location, 3))
+        self._colors = Buffer(gl)
+        self._colored: Single | None = None
         self._lattice: Lattice | None = None
         self._sent: Key | None = None
         self.origin: Floats = np.zeros(3)
@@ -151,6 +153,13 @@ class PatchBuffers:
             lattice.triangles.bind()
             self._lattice = lattice
 
+    def color(self, colors: Single) -> None:
+        """Draw it in these colors (m_u, m_v, 3) next; those it has already are not sent again."""
+        if colors is not self._colored:
+            self._vertices.read(self._colors, 12, Attribute(len(TERMS) + 1, 3))
+            self._colors.put(np.ascontiguousarray(colors, np.float32))
+            self._colored = colors
+
     def suits(self, key: Key) -> bool:
         """Whether it holds a surface on the same bases and grids."""
         return self._sent is not None and self._sent[1:] == key[1:]
@@ -172,7 +181,7 @@ class PatchBuffers:
 
     def release(self) -> None:
         """Free it."""
-        for buffer in self._buffers:
+        for buffer in (*self._buffers, self._colors):
             buffer.release()
         self._vertices.release()
 
@@ -209,6 +218,9 @@ class Patches:
             styles.append("WIRE")
         if min(front[3], back[3]) < 1.0:
             styles.append("GLASS")
+        if patch.colors is not None:
+            styles.append("TINTED")
+            buffers.color(patch.colors)
         program = self._programs.named("patch", "shade", *styles)
         program.use()
         sight.show(program, buffers.origin)

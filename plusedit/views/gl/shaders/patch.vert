@@ -7,6 +7,10 @@ layout(location = 3) in vec3 plus_u;
 layout(location = 4) in vec3 base_v;
 layout(location = 5) in vec3 plus_v;
 layout(location = 6) in vec2 where; // which sample, by u and by v
+#ifdef TINTED
+layout(location = 7) in vec3 color_at;
+out vec3 tint;
+#endif
 
 uniform float s;
 uniform float least; // length of a tangent below which it has no direction
@@ -32,6 +36,9 @@ void main() {
     float slant = length(across);
     normal = slant > 1e-4 ? axes * (across / slant) : vec3(0.0);
     sight = axes * at - eye;
+#ifdef TINTED
+    tint = color_at;
+#endif
 #ifdef WIRE
     cell = where;
 #endif

@@ -64,6 +64,10 @@ void main() {
     side.rgb = tint * tint;
 #endif
     vec3 shown = sqrt(clamp(lit(side.rgb, n, v), DARKEST, BRIGHTEST));
+#ifdef TINTED
+    // Colors that are to be compared with a legend are not left in the shade.
+    shown = mix(shown, tint, 0.45);
+#endif
     float alpha = side.a;
 #ifdef GLASS
     // It is lit from within as well, and denser where it is seen along its surface.
