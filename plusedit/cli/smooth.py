@@ -1,18 +1,20 @@
 """`plusedit smooth`: a polygon mesh or a terrain made into smooth surfaces, without a window."""
 
 import argparse
+import sys
 from math import isfinite
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from plusedit.cli.export import add_fineness, fineness_of
+
 if TYPE_CHECKING:
     from plusedit.document.design import Design
+    from plusedit.io.exporting import Report
     from plusedit.io.mesh_import import Imported
 
 NAME = "smooth"
 HELP = "make a polygon mesh or a terrain into smooth surfaces"
-
-MOST_TIMES = 8
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -50,13 +52,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         action="store_true",
         help="don't split large and thin faces before",
     )
-    parser.add_argument(
-        "--subdivide",
-        metavar="N",
-        type=_times,
-        help=f"how often every face is split for the file, 0 to {MOST_TIMES} (default: coarse "
-        "meshes so often that there are some thousand faces)",
-    )
+    add_fineness(parser, "coarse meshes so often that there are some thousand faces")
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -91,8 +87,9 @@ def _check_out(arguments: argparse.Namespace) -> None:
     place = Path(arguments.out)
     shelf: dict[str, HasSuffixes] = {**exports, "json": JsonDocument()}
     is_design = isinstance(by_suffix(place, shelf), JsonDocument)
-    if is_design and arguments.subdivide is not None:
-        raise FormatError(f"{shown_name(place)}: a design keeps faces as they are: no --subdivide")
+    for name in ("subdivide", "grid"):
+        if is_design and getattr(arguments, name) is not None:
+            raise FormatError(f"{shown_name(place)}: a design keeps faces as they are: no --{name}")
 
 
 def _write(imported: "Imported", arguments: argparse.Namespace) -> str:
@@ -103,17 +100,20 @@ def _write(imported: "Imported", arguments: argparse.Namespace) -> str:
     if arguments.out.lower().endswith(".json"):
         save(design, arguments.out)
         return f"a design of {imported.report.summary}"
-    return str(_export(design, arguments))
+    report = _export(design, arguments)
+    for sentence in report.left_out:
+        print(sentence, file=sys.stderr)
+    return str(report)
 
 
-def _export(design: "Design", arguments: argparse.Namespace) -> object:
+def _export(design: "Design", arguments: argparse.Namespace) -> "Report":
     from plusedit.geometry.mesh.deviation import times_for
+    from plusedit.io.export_pieces import Fineness
     from plusedit.io.exporting import export_design
 
-    said = arguments.subdivide
-    return export_design(
-        design, arguments.out, times=lambda mesh: times_for(mesh) if said is None else said
-    )
+    said = fineness_of(arguments)
+    fineness = said if said.is_given else Fineness(times=times_for)
+    return export_design(design, arguments.out, fineness=fineness)
 
 
 def _number(word: str) -> float:
@@ -135,11 +135,3 @@ def _finite(word: str) -> float:
     if not isfinite(number):
         raise argparse.ArgumentTypeError(f"expected a number, got {word!r}")
     return number
-
-
-def _times(word: str) -> int:
-    if not (word.isascii() and word.isdecimal() and len(word) == 1 and int(word) <= MOST_TIMES):
-        raise argparse.ArgumentTypeError(
-            f"expected a whole number from 0 to {MOST_TIMES}, got {word!r}"
-        )
-    return int(word)

@@ -5,36 +5,27 @@ diagonal of the box about what is exported.
 """
 
 import os
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass
 from math import isfinite
 from pathlib import Path
-from typing import TypeAlias
 
 import numpy as np
 
 from plusedit.document.design import Design
 from plusedit.document.shape import Shape, ShapeId
-from plusedit.geometry.arrays import Floats
 from plusedit.geometry.blend import Grid
-from plusedit.geometry.curve import PlusCurve
-from plusedit.geometry.mesh.mesh_surface import MeshSurface
-from plusedit.geometry.mesh.polygons import PolygonMesh
-from plusedit.geometry.surface import PlusSurface
-from plusedit.geometry.surface_tessellate import affordable_tessellation
-from plusedit.geometry.tessellate import tessellation
-from plusedit.io.exports import Export, Meshed, exports
+from plusedit.geometry.mesh.maps import Progress, silent
+from plusedit.geometry.mesh.rectangle import rectangle
+from plusedit.io.export_pieces import BY_TOLERANCE, Fineness, Pieces, in_space
+from plusedit.io.exports import Export, Sink, exports
 from plusedit.io.fields import of_number, within
 from plusedit.io.files import by_suffix, replacing
 from plusedit.io.formats import FormatError
 from plusedit.io.json_text import shown
-from plusedit.io.mesh_piece import MeshPiece, pieced, times_within
-from plusedit.io.surface_mesh import Strand, SurfaceMesh, meshed
 
 SEEN = Grid.uniform(33)  # where the size of a design is measured
-MOST = 1_000_000  # points of one surface
-
-Times: TypeAlias = Callable[[PolygonMesh], int]
+MADE = 0.7  # of the time, about, when all points are known
 
 
 @dataclass(frozen=True)
@@ -109,75 +100,77 @@ def export_design(
     shapes: Iterable[ShapeId] | None = None,
     tolerance: Tolerance = USUAL,
     *,
-    times: Times | None = None,
+    fineness: Fineness = BY_TOLERANCE,
+    tell: Progress = silent,
 ) -> Report:
     """Write curves and surfaces as the suffix of `path` says, all of it or nothing.
 
-    All that are visible, or the named `shapes`, hidden ones too. `times` says how often the faces
-    of a mesh are split into smaller ones, whatever the tolerance is. FormatError in one sentence,
-    also if nothing is left to write, or if a named shape can't be.
+    All that are visible, or the named `shapes`, hidden ones too. `tell` is told what share is done
+    and what comes next; what it raises ends the work. FormatError in one sentence, also if nothing
+    is left to write, or if a named shape can't be.
     """
     entry = export_of(path)
     with replacing(path) as stream:
         chosen, left_out = _chosen(design, shapes, entry)
+        _check_grid(chosen, fineness)
         length = tolerance.length(_size(chosen))
-        pieces = Pieces(entry, length, times)
-        for shape in chosen:
+        pieces = Pieces(entry, length, fineness)
+        for number, shape in enumerate(chosen):
             with within(f"shape {shown(shape.name)}"):
-                pieces.add(shape)
-        entry.write(stream, pieces.meshes, pieces.strands)
-    return pieces.report(left_out)
+                pieces.add(shape, _of_shape(tell, number, len(chosen)))
+        entry.write(_Told(stream, tell), pieces.meshes, pieces.strands)
+        tell(1.0, "Done")
+    return _report(entry, pieces, length, left_out)
 
 
-class Pieces:
-    """What is written, shape by shape."""
+def chosen_shapes(
+    design: Design, shapes: Iterable[ShapeId] | None, entry: Export
+) -> tuple[Shape, ...]:
+    """Those that `export_design` would write. FormatError if there are none."""
+    return tuple(_chosen(design, shapes, entry)[0])
 
-    def __init__(self, entry: Export, length: float, times: Times | None) -> None:
-        self.meshes: list[Meshed] = []
-        self.strands: list[Strand] = []
-        self._entry, self._length, self._times = entry, length, times
-        self._coarse: list[str] = []
 
-    def add(self, shape: Shape) -> None:
-        """Add what the shape becomes. ValueError where that can't be written."""
-        length = self._length
-        if shape.curve is not None:
-            self.strands.append(_strand(shape, shape.curve, length))
-        elif shape.surface is not None:
-            made = affordable_tessellation(shape.surface, length, MOST)
-            self.meshes.append(_mesh(shape, shape.surface, made.by_u, made.by_v, self._entry))
-            self._note(shape, made.tolerance)
-        elif shape.mesh is not None:
-            if self._times is None:
-                times, reached = times_within(shape.mesh, length, MOST)
-            else:
-                times, reached = self._times(shape.mesh.mesh), 0.0
-            self.meshes.append(_piece(shape, shape.mesh, times, self._entry))
-            self._note(shape, reached)
+class _Told(Sink):
+    """A stream that lets the work be given up between two pieces of it."""
 
-    def report(self, left_out: tuple[str, ...]) -> Report:
-        """What there is to say of it."""
-        pieces = sum(isinstance(mesh, MeshPiece) for mesh in self.meshes)
-        points = sum(map(len, self.meshes)) + sum(len(strand.points) for strand in self.strands)
-        quads = self._entry.has_quads
-        is_asked = self._times is None or pieces < len(self.meshes) + len(self.strands)
-        return Report(
-            len(self.meshes) - pieces,
-            len(self.strands),
-            points,
-            sum(mesh.face_count if quads else mesh.triangle_count for mesh in self.meshes),
-            self._length if is_asked else None,
-            (*left_out, *self._coarse),
-            bool(self._coarse),
-            pieces,
-        )
+    def __init__(self, stream: Sink, tell: Progress) -> None:
+        self._stream, self._tell = stream, tell
 
-    def _note(self, shape: Shape, reached: float) -> None:
-        if reached > self._length:
-            name = shown(shape.name)
-            self._coarse.append(
-                f"{name} is coarser than asked: no more than {MOST} points are made"
-            )
+    def write(self, data: bytes, /) -> int:
+        self._tell(MADE, "Writing the file")
+        return self._stream.write(data)
+
+
+def _of_shape(tell: Progress, number: int, count: int) -> Progress:
+    """Progress with one of some shapes."""
+
+    def told(share: float, words: str) -> None:
+        tell(MADE * (number + min(share, 1.0)) / count, words[:1].upper() + words[1:])
+
+    return told
+
+
+def _check_grid(shapes: Iterable[Shape], fineness: Fineness) -> None:
+    """FormatError where a grid was asked for, and no mesh can have one."""
+    surfaces = [shape.mesh for shape in shapes if shape.mesh is not None]
+    if fineness.cells and surfaces and not any(map(rectangle, surfaces)):
+        raise FormatError("no mesh has parameters that fill a rectangle, as a grid needs")
+
+
+def _report(entry: Export, pieces: Pieces, length: float, left_out: tuple[str, ...]) -> Report:
+    """What there is to say of what was written."""
+    meshes, strands = pieces.meshes, pieces.strands
+    points = sum(map(len, meshes)) + sum(len(strand.points) for strand in strands)
+    return Report(
+        len(meshes) - pieces.of_meshes,
+        len(strands),
+        points,
+        sum(mesh.face_count if entry.has_quads else mesh.triangle_count for mesh in meshes),
+        length if pieces.is_by_tolerance else None,
+        (*left_out, *pieces.remarks),
+        pieces.is_coarser,
+        pieces.of_meshes,
+    )
 
 
 def _chosen(
@@ -222,38 +215,3 @@ def _size(shapes: list[Shape]) -> float:
     if not size > 0.0:
         raise FormatError("all of it is a single point")
     return size
-
-
-def _mesh(shape: Shape, surface: PlusSurface, by_u: Grid, by_v: Grid, entry: Export) -> SurfaceMesh:
-    mesh = meshed(
-        surface,
-        by_u.parameters,
-        by_v.parameters,
-        name=shape.name,
-        color=shape.style.color,
-        numbers=entry.numbers,
-    )
-    if not any(mesh.face_counts):
-        raise FormatError("has no area")
-    return mesh
-
-
-def _piece(shape: Shape, surface: MeshSurface, times: int, entry: Export) -> MeshPiece:
-    return pieced(
-        surface,
-        times,
-        name=shape.name,
-        color=shape.style.color,
-        numbers=entry.numbers,
-        has_polygons=entry.has_quads,
-    )
-
-
-def _strand(shape: Shape, curve: PlusCurve, tolerance: float) -> Strand:
-    points = curve.sample(tessellation(curve, tolerance, axes=None))
-    return Strand(shape.name, shape.style.color, in_space(points))
-
-
-def in_space(points: Floats) -> Floats:
-    """(m, 3) points of a plane curve as those of one in space, at z = 0."""
-    return np.pad(points, ((0, 0), (0, 3 - points.shape[1])))

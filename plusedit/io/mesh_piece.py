@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.mesh.deviation import vertex_places
+from plusedit.geometry.mesh.maps import Progress, silent
 from plusedit.geometry.mesh.mesh_surface import MeshSurface
 from plusedit.geometry.mesh.polygons import PolygonMesh
 from plusedit.io.fields import of_number
@@ -26,6 +27,7 @@ STILL = 1e-6  # of the edges around: shorter tangents are rounding; or of the si
 PROBED = 512  # edges along which the error of a mesh is looked at
 STEPS = 8  # half of the steps along each
 MOST_TIMES = 6  # that faces are split
+AT_ONCE = 65_536  # points that are evaluated before anybody may give up
 MOST = 24_000_000  # corners: some gigabytes of memory
 
 
@@ -136,6 +138,7 @@ def pieced(
     color: str | None = None,
     numbers: Any = np.float64,
     has_polygons: bool = True,
+    tell: Progress = silent,
 ) -> MeshPiece:
     """The surface, to full accuracy, at the vertices of its mesh with faces split some `times`.
 
@@ -148,7 +151,7 @@ def pieced(
     split = surface.mesh.subdivided(times)
     mesh, parameters = split.mesh, split.along(surface.parameters)
     with np.errstate(all="ignore"):
-        points, by_u, by_v = surface.derivatives(vertex_places(mesh, parameters))
+        points, by_u, by_v = _derivatives(surface, vertex_places(mesh, parameters), tell)
         rounded = points.astype(numbers)
     if not np.isfinite(points).all():
         raise ValueError("a point is beyond a double")
@@ -158,6 +161,18 @@ def pieced(
     tangents = [np.where(_lengths(by) > STILL * steep, by, 0.0) for by in (by_u, by_v)]
     directions = _normals(mesh.with_vertices(points), *tangents).astype(np.float32)
     return MeshPiece(name, color, mesh, rounded, directions, parameters, has_polygons)
+
+
+def _derivatives(
+    surface: MeshSurface, places: Floats, tell: Progress
+) -> tuple[Floats, Floats, Floats]:
+    """Points and derivatives as the surface has them, with a word between times."""
+    found = []
+    for first in range(0, len(places), AT_ONCE):
+        tell(first / len(places), "evaluating the surface")
+        found.append(surface.derivatives(places[first : first + AT_ONCE]))
+    points, by_u, by_v = (np.concatenate(rows) for rows in zip(*found, strict=True))
+    return points, by_u, by_v
 
 
 def times_within(surface: MeshSurface, tolerance: float, most: int) -> tuple[int, float]:

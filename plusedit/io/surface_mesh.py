@@ -184,16 +184,16 @@ def _joined(
 def _normals(surface: PlusSurface, u: Floats, v: Floats, size: float) -> Floats:
     """(m_u, m_v, 3) unit normals; where there is none, as at a pole, that of the place beside."""
     _, by_u, by_v = surface.derivatives(u, v, highest=1)
-    normals, found = _crossed(by_u, by_v, size)
+    normals, found = crossed(by_u, by_v, size)
     if not found.all():
         places = np.stack(np.meshgrid(u, v, indexing="ij"), axis=-1)[~found]
         aside = places + ASIDE * (np.array(MIDDLE) - places)
         _, by_u, by_v = surface.derivatives_at(aside, highest=1)
-        normals[~found] = _crossed(by_u, by_v, size)[0]
+        normals[~found] = crossed(by_u, by_v, size)[0]
     return normals
 
 
-def _crossed(by_u: Floats, by_v: Floats, size: float) -> tuple[Floats, NDArray[np.bool_]]:
+def crossed(by_u: Floats, by_v: Floats, size: float) -> tuple[Floats, NDArray[np.bool_]]:
     """Unit normals, and whether the tangents span a plane; where they do not, (0, 0, 1)."""
     across = np.cross(by_u, by_v)
     lengths = [np.linalg.norm(vectors, axis=-1) for vectors in (across, by_u, by_v)]

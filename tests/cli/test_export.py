@@ -5,8 +5,11 @@ import pytest
 from plusedit.__main__ import main
 from plusedit.document.design import Design
 from plusedit.document.shape import Shape
+from plusedit.geometry.mesh.domains import PlaneDomain
+from plusedit.geometry.mesh.mesh_surface import MeshSurface
 from plusedit.io.files import save
 from tests.designs import a_curve
+from tests.geometry.mesh.bodies import sheet
 from tests.geometry.surfaces import a_surface
 from tests.io.mesh_files import READERS, a_torus
 
@@ -59,6 +62,25 @@ def test_the_tolerance_can_be_a_length_or_a_share(sail, tmp_path, capsys):
         assert said in capsys.readouterr().out
 
 
+@pytest.mark.parametrize(
+    ("words", "faces"),
+    [
+        (["--subdivide", "0"], 8),
+        (["--subdivide", "2"], 8 * 16),
+        (["--grid", "5x7"], 35),
+        (["--grid", "even"], 8),
+    ],
+)
+def test_meshes_are_as_fine_as_is_said(tmp_path, capsys, words, faces):
+    mesh = sheet(2, 4)
+    surface = MeshSurface(mesh, PlaneDomain(), mesh.vertices[mesh.corners, :2])
+    save(Design({"a": Shape(surface, "A")}), tmp_path / "a.json")
+    assert main(["export", str(tmp_path / "a.json"), str(tmp_path / "a.obj"), *words]) == 0
+    [part] = READERS["obj"]((tmp_path / "a.obj").read_bytes())
+    assert len(part.faces) == faces
+    assert "within" not in capsys.readouterr().out
+
+
 def test_an_existing_file_is_replaced(sail, tmp_path):
     out = tmp_path / "out.stl"
     out.write_bytes(b"old")
@@ -92,6 +114,13 @@ def test_the_design_is_not_written_over(sail, tmp_path, refused):
             "plusedit export: argument --tolerance: exp",
         ),
         (["sail.json"], "plusedit export: the following arguments are required"),
+        (["sail.json", "out.obj", "--grid", "9x"], "plusedit export: argument --grid: expected"),
+        (["sail.json", "out.obj", "--grid", "1x9"], "plusedit export: argument --grid: expected"),
+        (["sail.json", "out.obj", "--subdivide", "9"], "plusedit export: argument --subdivide"),
+        (
+            ["sail.json", "out.obj", "--subdivide", "1", "--grid", "even"],
+            "plusedit export: argument --grid: not allowed with",
+        ),
     ],
 )
 def test_what_can_not_be_done_is_said_in_one_sentence(

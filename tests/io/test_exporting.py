@@ -9,7 +9,7 @@ from plusedit.document.design import Design
 from plusedit.document.shape import Shape
 from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.planes import ControlPlanes
-from plusedit.io import exporting
+from plusedit.io import export_pieces
 from plusedit.io.exporting import USUAL, Report, Tolerance, export_design, export_of
 from plusedit.io.formats import FormatError
 from tests.designs import a_curve, a_mesh
@@ -126,7 +126,7 @@ def test_as_many_faces_are_told_as_are_written(tmp_path, suffix):
 
 
 def test_more_points_than_are_made_leave_a_note(tmp_path, monkeypatch):
-    monkeypatch.setattr(exporting, "MOST", 2000)
+    monkeypatch.setattr(export_pieces, "MOST", 2000)
     fine, coarse = (
         export_design(DESIGN, tmp_path / "out.stl", ["sail"], Tolerance(t)) for t in (1e-9, 0.1)
     )

@@ -12,7 +12,7 @@ from plusedit.geometry.mesh.domains import PlaneDomain
 from plusedit.geometry.mesh.mapping import mapped
 from plusedit.geometry.mesh.mesh_surface import MeshSurface
 from plusedit.geometry.mesh.polygons import PolygonMesh
-from plusedit.io import exporting, mesh_piece
+from plusedit.io import export_pieces, mesh_piece
 from plusedit.io.exporting import Tolerance, export_design
 from plusedit.io.exports import exports
 from plusedit.io.formats import FormatError
@@ -161,7 +161,7 @@ def test_a_tolerance_is_kept_between_the_vertices():
 
 
 def test_what_is_coarser_than_asked_is_told(tmp_path, monkeypatch):
-    monkeypatch.setattr(exporting, "MOST", 10)
+    monkeypatch.setattr(export_pieces, "MOST", 10)
     design = Design({"a": Shape(a_ball(), "A")})
     report = export_design(design, tmp_path / "a.stl", tolerance=Tolerance(1e-9))
     assert report.left_out == ('"A" is coarser than asked: no more than 10 points are made',)

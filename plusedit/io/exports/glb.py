@@ -7,11 +7,11 @@ triangles, one mesh after the other. glTF has y up; the root of the scene turns 
 import json
 import struct
 from collections.abc import Iterator, Sequence
-from typing import Any, BinaryIO
+from typing import Any
 
 import numpy as np
 
-from plusedit.io.exports import Meshed, register
+from plusedit.io.exports import Meshed, Sink, register
 from plusedit.io.formats import FormatError
 from plusedit.io.surface_mesh import Strand
 
@@ -33,7 +33,7 @@ class BinaryGltf:
     has_quads = False
     numbers = np.float32
 
-    def write(self, stream: BinaryIO, meshes: Sequence[Meshed], _strands: Sequence[Strand]) -> None:
+    def write(self, stream: Sink, meshes: Sequence[Meshed], _strands: Sequence[Strand]) -> None:
         """Write the file piece by piece. FormatError if it would be too large."""
         tree = _tree(meshes)
         text = json.dumps(tree, ensure_ascii=True, separators=(",", ":")).encode()
@@ -48,6 +48,9 @@ class BinaryGltf:
         for mesh in meshes:
             for part in _binary(mesh):
                 stream.write(part)
+
+    def size(self, points: int, triangles: int) -> int:
+        return 4 * sum(width for _, width in PER_POINT) * points + 12 * triangles
 
 
 register("glb")(BinaryGltf())

@@ -1,16 +1,16 @@
 """Wavefront OBJ: text with polygons, normals and parameters, and curves as lines."""
 
 from collections.abc import Iterator, Sequence
-from typing import BinaryIO
 
 import numpy as np
 from numpy.typing import NDArray
 
-from plusedit.io.exports import Meshed, register
+from plusedit.io.exports import Meshed, Sink, register
 from plusedit.io.mesh_faces import Numbers
 from plusedit.io.surface_mesh import Strand
 
 LONGEST = 256  # points of one line of the file
+PER_POINT, PER_TRIANGLE = 98, 42  # bytes, about: their numbers differ in length
 
 
 class WavefrontObj:
@@ -22,7 +22,7 @@ class WavefrontObj:
     has_quads = True
     numbers = np.float64
 
-    def write(self, stream: BinaryIO, meshes: Sequence[Meshed], strands: Sequence[Strand]) -> None:
+    def write(self, stream: Sink, meshes: Sequence[Meshed], strands: Sequence[Strand]) -> None:
         """Write the file piece by piece."""
         stream.write(b"# PlusEdit\n")
         corners = points = 1  # numbers begin with one, and run on from object to object
@@ -35,6 +35,9 @@ class WavefrontObj:
             for text in _strand_lines(strand, points):
                 stream.write(text.encode())
             points += len(strand.points)
+
+    def size(self, points: int, triangles: int) -> int:
+        return PER_POINT * points + PER_TRIANGLE * triangles
 
 
 register("obj")(WavefrontObj())

@@ -1,11 +1,10 @@
 """PLY, the Stanford polygon format: binary, with normals and parameters for every point."""
 
 from collections.abc import Sequence
-from typing import BinaryIO
 
 import numpy as np
 
-from plusedit.io.exports import Meshed, register
+from plusedit.io.exports import Meshed, Sink, register
 from plusedit.io.formats import FormatError
 from plusedit.io.mesh_faces import Numbers
 from plusedit.io.surface_mesh import Strand
@@ -26,7 +25,7 @@ class StanfordPly:
     has_quads = False
     numbers = np.float32
 
-    def write(self, stream: BinaryIO, meshes: Sequence[Meshed], _strands: Sequence[Strand]) -> None:
+    def write(self, stream: Sink, meshes: Sequence[Meshed], _strands: Sequence[Strand]) -> None:
         """Write the file piece by piece. FormatError if there are too many points."""
         points = sum(map(len, meshes))
         if points > MOST:
@@ -41,6 +40,9 @@ class StanfordPly:
             for faces in mesh.faces():
                 stream.write(_lists(faces.cut() + first))
             first += len(mesh)
+
+    def size(self, points: int, triangles: int) -> int:
+        return 4 * len(PROPERTIES) * points + 13 * triangles
 
 
 register("ply")(StanfordPly())

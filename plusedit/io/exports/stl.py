@@ -1,11 +1,10 @@
 """STL, the format of printers: binary triangles, each with the normal of its own plane."""
 
 from collections.abc import Sequence
-from typing import BinaryIO
 
 import numpy as np
 
-from plusedit.io.exports import Meshed, register
+from plusedit.io.exports import Meshed, Sink, register
 from plusedit.io.formats import FormatError
 from plusedit.io.mesh_faces import Numbers
 from plusedit.io.surface_mesh import Strand
@@ -25,7 +24,7 @@ class BinaryStl:
     has_quads = False
     numbers = np.float32
 
-    def write(self, stream: BinaryIO, meshes: Sequence[Meshed], _strands: Sequence[Strand]) -> None:
+    def write(self, stream: Sink, meshes: Sequence[Meshed], _strands: Sequence[Strand]) -> None:
         """Write the file piece by piece. FormatError if there are too many triangles."""
         count = sum(mesh.triangle_count for mesh in meshes)
         if count > MOST:
@@ -35,6 +34,9 @@ class BinaryStl:
         for mesh in meshes:
             for faces in mesh.faces():
                 stream.write(_facets(mesh, faces.cut()))
+
+    def size(self, points: int, triangles: int) -> int:
+        return len(TITLE) + 4 + FACET.itemsize * triangles
 
 
 register("stl")(BinaryStl())
