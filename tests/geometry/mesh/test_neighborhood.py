@@ -84,7 +84,7 @@ def test_only_the_neighborhood_is_told_in_every_domain(kind):
     surface = kind(smoothness=0.25)
     places = inner_places(surface, 400)
     for face in range(0, surface.mesh.face_count, 40):
-        assert len(changed_places(surface, lifted(surface, face), places)) < 0.25 * len(places)
+        assert len(changed_places(surface, lifted(surface, face), places)) < 0.35 * len(places)
 
 
 def test_every_place_that_changes_is_told():
