@@ -4,14 +4,7 @@ import numpy as np
 
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.curve import PlusCurve
-from plusedit.geometry.pieces import pieces
-
-# Of the whole length, what the rule of Gauss and Legendre may differ by from that for two halves.
-# Not of the part: the rounding in a short part is large beside it, however short it gets.
-ACCURACY = 1e-12
-ROUNDS = 50
-
-NODES, WEIGHTS = (row / 2.0 for row in np.polynomial.legendre.leggauss(12))
+from plusedit.geometry.quadrature import integral
 
 
 def arc_length(curve: PlusCurve, a: float = 0.0, b: float = 1.0) -> float:
@@ -34,33 +27,11 @@ def arc_length(curve: PlusCurve, a: float = 0.0, b: float = 1.0) -> float:
 
 def _between(curve: PlusCurve, a: float, b: float) -> float:
     """The length from a to b, where 0 <= a <= b <= 2."""
-    ends = pieces(curve).parameters
-    ends = np.concatenate([ends, 1.0 + ends[1:]])
-    ends = np.concatenate([[a], ends[(ends > a) & (ends < b)], [b]])
-    low, high = ends[:-1], ends[1:]
-    whole = _by_rule(curve, low, high)
+
+    def speed(u: Floats) -> Floats:
+        speeds: Floats = np.linalg.norm(curve.derivatives(u, highest=1)[1], axis=1)
+        return speeds
+
     # A curve that stays in one place moves by rounding; that length is not worth dividing.
     size = np.abs(curve.lines.points).max() + np.abs(curve.gradients).max()
-    total, allowed = 0.0, ACCURACY * max(float(whole.sum()), 1e-3 * float(size))
-    for _ in range(ROUNDS):
-        middle = (low + high) / 2.0
-        low, high = np.concatenate([low, middle]), np.concatenate([middle, high])
-        halves = _by_rule(curve, low, high)
-        both = halves[: len(whole)] + halves[len(whole) :]
-        rough = np.abs(both - whole) > allowed
-        total += float(both[~rough].sum())
-        if not rough.any():
-            return total
-        again = np.tile(rough, 2)
-        low, high, whole = low[again], high[again], halves[again]
-    return total + float(whole.sum())
-
-
-def _by_rule(curve: PlusCurve, low: Floats, high: Floats) -> Floats:
-    """(m,) lengths from `low` to `high` (m,) by one rule each."""
-    width = high - low
-    u = (low + high)[:, None] / 2.0 + width[:, None] * NODES
-    velocity = curve.derivatives(u.ravel(), highest=1)[1]
-    speed = np.linalg.norm(velocity, axis=1).reshape(u.shape)
-    lengths: Floats = width * (speed @ WEIGHTS)
-    return lengths
+    return integral(curve, speed, a, b, 1e-3 * float(size))
