@@ -1,6 +1,7 @@
 """A connected part of a mesh gets parameters: which map it gets, and what came of it."""
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -12,6 +13,8 @@ from plusedit.geometry.mesh.flattening.unwrapping import by_corner
 from plusedit.geometry.mesh.maps import Layout, Progress, Subject, maps, silent
 from plusedit.geometry.mesh.polygons import PolygonMesh, fixed
 from plusedit.geometry.mesh.topology import Topology
+
+OF_FILE = "file_uv"  # the map that takes texture coordinates, which a shape does not keep
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,6 +39,31 @@ class Mapped:
     def title(self) -> str:
         """What the map is called."""
         return maps[self.name].title
+
+
+class MapOffer(NamedTuple):
+    """A map on the shelf, and whether a mesh can have it."""
+
+    name: str
+    title: str
+    objection: str
+    """why not, as a phrase; empty where it can"""
+
+
+def map_offers(mesh: PolygonMesh) -> tuple[MapOffer, ...]:
+    """All maps but those that need more than the mesh, by their titles.
+
+    Of a mesh that is no connected proper surface none can be had.
+    """
+    try:
+        _check(mesh, mesh.topology, None, None)
+    except ValueError as error:
+        why = str(error)
+        offers = [MapOffer(name, maps[name].title, why) for name in maps]
+    else:
+        subject = Subject(mesh, mesh.topology)
+        offers = [MapOffer(name, maps[name].title, maps[name].objection(subject)) for name in maps]
+    return tuple(sorted((o for o in offers if o.name != OF_FILE), key=lambda offer: offer.title))
 
 
 def mapped(

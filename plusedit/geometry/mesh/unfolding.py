@@ -134,17 +134,21 @@ class Unfolding:
             squares = np.minimum(squares, ((self.vertex_places[used] - near) ** 2).sum(axis=1))
         return int(used[squares.argmin()])
 
+    def vertex_of_face(self, face: int, place: Floats) -> tuple[int, Floats]:
+        """The vertex of a face nearest to a place (2,), and its image nearest to there (2,)."""
+        mesh = self.mesh
+        corners = slice(mesh.starts[face], mesh.starts[face + 1])
+        around = self.corners[corners]
+        near = self.domain.nearest(around, np.broadcast_to(place, around.shape))
+        k = int(((near - place) ** 2).sum(axis=1).argmin())
+        return int(mesh.corners[corners][k]), near[k]
+
     @cached_property
     def vertex_places(self) -> Floats:
         """(n, 2) of every vertex as some face has it; of no meaning for vertices of no face."""
         places = np.zeros((self.mesh.vertex_count, 2))
         places[self.mesh.corners] = self.corners
         return places
-
-    def image_near(self, place: Floats, to: Floats) -> Floats:
-        """(2,) of a place the image nearest to another one."""
-        found: Floats = self.domain.nearest(place[None], to[None])[0]
-        return found
 
     def _images_of(self, place: Floats) -> Floats:
         """(k, 2) the image of a place in the cell, then those where faces of the cell may be."""
