@@ -15,8 +15,6 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from plusedit.io.exporting import Tolerance
-from plusedit.io.exports import exports
 from plusedit.views.arithmetic import calculated
 from plusedit.views.live import quiet
 
@@ -24,8 +22,6 @@ How = Literal["segments", "paths", "fitted"]
 
 LARGEST_SIDE = 16384  # pixels
 USUAL_TOLERANCE = "0.1"  # percent of the size of a path
-USUAL_KIND = "obj"
-USUAL_STRAY = "0.05%"
 VIEWS = {
     "3d": "3D view, all of the design",
     "2d": "2D view, all of the design",
@@ -34,7 +30,6 @@ VIEWS = {
     "front": "From the front",
     "right": "From the right",
 }
-STRAY = "How far the mesh may stray: a length, or a percentage of the size of what is exported."
 WAYS: dict[How, tuple[str, str]] = {
     "segments": (
         "One curve for each segment",
@@ -60,16 +55,6 @@ class Picture:
     transparent: bool
     view: str = "2d"
     """a key of VIEWS"""
-
-
-@dataclass(frozen=True)
-class MeshExport:
-    """How shapes are written as a mesh."""
-
-    kind: str
-    """a name on the shelf of exports"""
-    tolerance: Tolerance
-    only_selected: bool
 
 
 @dataclass(frozen=True)
@@ -149,29 +134,6 @@ class PictureDialog(Question):
             self.transparent.isChecked(),
             self.view.currentData() or "2d",
         )
-
-
-class MeshDialog(Question):
-    """Which kind of mesh, of what, and how near to the shapes."""
-
-    def __init__(self, parent: QWidget | None, has_selection: bool) -> None:
-        super().__init__(parent, "Export mesh", "Export…")
-        self.kind = QComboBox()
-        for name, entry in exports.items():
-            self.kind.addItem(f"{entry.title} (*{entry.suffixes[0]})", name)
-        self.kind.setCurrentIndex(self.kind.findData(USUAL_KIND))
-        self.tolerance = QLineEdit(USUAL_STRAY)
-        self.tolerance.setAccessibleName("tolerance")
-        self.only_selected = QCheckBox("Only what is selected")
-        self.only_selected.setEnabled(has_selection)
-        self.form.addRow("File", self.kind)
-        self.form.addRow("Tolerance", self.tolerance)
-        self.form.addRow("", quiet(STRAY))
-        self.form.addRow("", self.only_selected)
-
-    def read(self) -> MeshExport:
-        tolerance = Tolerance.of(self.tolerance.text())
-        return MeshExport(str(self.kind.currentData()), tolerance, self.only_selected.isChecked())
 
 
 class ReadingDialog(Question):

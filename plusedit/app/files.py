@@ -160,13 +160,21 @@ class Files:
             self._desk.say(f"Exported {path.name}.")
 
     def export_with(
-        self, suffix: str, title: str, write: Callable[[Path], object], kind: str = ""
+        self,
+        suffix: str,
+        title: str,
+        write: Callable[[Path], object],
+        kind: str = "",
+        progress: Progress | None = None,
     ) -> Path | None:
-        """Ask for a name with that suffix and let `write` make the file; where it is now."""
+        """Ask for a name with that suffix and let `write` make the file; where it is now.
+
+        With `progress`, which `write` tells, the person may give up.
+        """
         self._desk.gestures.cancel()
         pattern = f"{kind or f'{suffix[1:].upper()} picture'} (*{suffix})"
         path = self.dialogs.export_path(self._suggested(suffix), title, pattern)
-        if path is None or not self._tried(lambda: write(path), path):
+        if path is None or not self._tried(lambda: write(path), path, progress):
             return None
         self._desk.say(f"Exported {path.name}.")
         return path
@@ -209,9 +217,15 @@ class Files:
         self._desk.say(f"Saved {path.name}.")
         return True
 
-    def _tried(self, act: Callable[[], object], path: Path) -> bool:
+    def _tried(
+        self, act: Callable[[], object], path: Path, progress: Progress | None = None
+    ) -> bool:
+        text, can_cancel = f"Writing {path.name} …", progress is not None
         try:
-            in_background(self._parent, f"Writing {path.name} …", act, can_cancel=False)
+            in_background(self._parent, text, act, can_cancel=can_cancel, progress=progress)
+        except CancelledError:
+            self._desk.say(f"Writing {path.name} was cancelled.")
+            return False
         except (FormatError, OSError) as error:
             self.dialogs.error(said(error, path))
             return False

@@ -9,6 +9,7 @@ from PySide6.QtCore import QProcess
 from PySide6.QtWidgets import QWidget
 
 from plusedit.app.autosave import Autosave, Left, left_behind
+from plusedit.app.background import Progress
 from plusedit.app.clipboard import counted, fresh
 from plusedit.app.files import Files
 from plusedit.app.mesh_opening import read_again
@@ -20,7 +21,8 @@ from plusedit.scene.theme import THEMES
 from plusedit.views.desk import Desk
 
 if TYPE_CHECKING:
-    from plusedit.app.export_dialogs import MeshExport, Picture, Reading
+    from plusedit.app.export_dialogs import Picture, Reading
+    from plusedit.app.mesh_export import MeshExport
     from plusedit.app.mesh_opening import MeshReading
     from plusedit.app.recovery import Choice
     from plusedit.io.mesh_import import ImportOptions
@@ -165,11 +167,12 @@ class Flows:
 
     def export_mesh(self) -> None:
         """Write curves and surfaces as a mesh for other programs."""
-        from plusedit.app.export_dialogs import MeshDialog
+        from plusedit.app.mesh_export import MeshDialog
 
         self._desk.gestures.cancel()
-        chosen = self._desk.session.selection.shapes
-        dialog = MeshDialog(self._parent, bool(chosen))
+        session = self._desk.session
+        ids = tuple(i for i in session.committed if i in session.selection.shapes)
+        dialog = MeshDialog(self._parent, session.committed, ids)
         if dialog.exec():
             self.write_mesh(dialog.read())
 
@@ -179,14 +182,19 @@ class Flows:
         from plusedit.io.exports import exports
 
         session, entry = self._desk.session, exports[kind.kind]
-        ids = [i for i in session.committed if i in session.selection.shapes]
+        design, progress = session.committed, Progress()
+        ids = [i for i in design if i in session.selection.shapes] if kind.only_selected else None
         reports: list[Report] = []
 
         def write(path: Path) -> None:
-            shapes = ids if kind.only_selected else None
-            reports.append(export_design(session.committed, path, shapes, kind.tolerance))
+            reports.append(
+                export_design(
+                    design, path, ids, kind.tolerance, fineness=kind.fineness, tell=progress.tell
+                )
+            )
 
-        path = self._files.export_with(entry.suffixes[0], "Export mesh", write, entry.title)
+        suffix = entry.suffixes[0]
+        path = self._files.export_with(suffix, "Export mesh", write, entry.title, progress)
         if path is not None and reports:
             self._desk.say(f"Exported {path.name}: {reports[0]}.")
             self._files.notes.emit(path.name, reports[0].left_out)

@@ -5,7 +5,7 @@ diagonal of the box about what is exported.
 """
 
 import os
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from math import isfinite
 from pathlib import Path
@@ -113,7 +113,7 @@ def export_design(
     with replacing(path) as stream:
         chosen, left_out = _chosen(design, shapes, entry)
         _check_grid(chosen, fineness)
-        length = tolerance.length(_size(chosen))
+        length = tolerance.length(size_of(chosen))
         pieces = Pieces(entry, length, fineness)
         for number, shape in enumerate(chosen):
             with within(f"shape {shown(shape.name)}"):
@@ -203,7 +203,7 @@ def _reason(shape: Shape, entry: Export) -> str:
     return ""
 
 
-def _size(shapes: list[Shape]) -> float:
+def size_of(shapes: Sequence[Shape]) -> float:
     """The diagonal of the box about them."""
     points = [
         *(in_space(shape.curve.sample(SEEN)) for shape in shapes if shape.curve is not None),

