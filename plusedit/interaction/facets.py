@@ -12,14 +12,16 @@ import numpy as np
 from plusedit.document.design import Design
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.surface import PlusSurface
+from plusedit.interaction.face_picking import meshes_under
 from plusedit.interaction.hits import Hit
-from plusedit.interaction.mesh_facets import mesh_crossings
+from plusedit.interaction.mesh_depths import MARGIN
+from plusedit.interaction.mesh_facets import facets_of_mesh, mesh_crossings
 from plusedit.interaction.tool import Stage
 from plusedit.scene.camera import Camera
 from plusedit.scene.drawn_surface import surface_grids
 
 BEHIND = 2e-3  # of the usual length of a pixel: smaller ones are behind the eye, or all but
-MARGIN = 6.0  # pixels that a surface has to be nearer to the eye to hide a control point
+FEW = 12  # points that are looked for one by one among the triangles of a mesh
 
 
 @dataclass(frozen=True, eq=False)
@@ -110,12 +112,7 @@ def surfaces_under(at: Floats, stage: Stage) -> list[Hit]:
         if stage.design[shape_id].editable
         for depth, u, v in crossings(at, facets_of(surface, stage.camera))
     ]
-    found += [
-        Hit("mesh", shape_id, crossing.face, u=crossing.u, v=crossing.v, depth=crossing.depth)
-        for shape_id, surface in stage.design.meshes()
-        if stage.design[shape_id].editable
-        for crossing in mesh_crossings(at, surface, stage.camera)
-    ]
+    found += meshes_under(at, stage)
     return sorted(found, key=lambda hit: hit.depth)
 
 
@@ -134,13 +131,27 @@ def hidden(points: Floats, design: Design, camera: Camera) -> list[bool]:
         for shape_id, surface in design.surfaces()
         if design[shape_id].visible
     ]
-    meshes = [mesh for shape_id, mesh in design.meshes() if design[shape_id].visible]
     limits = camera.depths(points) - MARGIN * camera.pixel_at(points)
+    by_meshes = _hidden_by_meshes(points, limits, design, camera)
     return [
-        any((first := crossings(at, facets)) and first[0][0] < limit for facets in surfaces)
-        or any(
-            (layers := mesh_crossings(at, mesh, camera)) and layers[0].depth < limit
-            for mesh in meshes
-        )
-        for at, limit in zip(camera.to_screen(points), limits, strict=True)
+        behind
+        or any((first := crossings(at, facets)) and first[0][0] < limit for facets in surfaces)
+        for behind, at, limit in zip(by_meshes, camera.to_screen(points), limits, strict=True)
     ]
+
+
+def _hidden_by_meshes(points: Floats, limits: Floats, design: Design, camera: Camera) -> list[bool]:
+    meshes = [mesh for shape_id, mesh in design.meshes() if design[shape_id].visible]
+    screen = camera.to_screen(points)
+    if len(points) <= FEW:
+        return [
+            any(
+                (layers := mesh_crossings(at, mesh, camera)) and layers[0].depth < limit
+                for mesh in meshes
+            )
+            for at, limit in zip(screen, limits, strict=True)
+        ]
+    seen = screen, camera.depths(points), camera.pixel_at(points)
+    behind = [facets_of_mesh(mesh, camera).map.hides(*seen) for mesh in meshes]
+    found: list[bool] = np.any([np.zeros(len(points), np.bool_), *behind], axis=0).tolist()
+    return found

@@ -9,12 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from plusedit.document.design import Design
-from plusedit.document.shape import PlusGeometry, ShapeId
+from plusedit.document.shape import Geometry, ShapeId
 from plusedit.geometry.arrays import Floats
-from plusedit.geometry.surface import PlusSurface
+from plusedit.geometry.curve import PlusCurve
 from plusedit.interaction.places import in_space
 from plusedit.scene.camera import Camera
-from plusedit.scene.handles import handles
+from plusedit.scene.handles import Handled, handles
 from plusedit.scene.plane_handles import plane_handles
 
 
@@ -43,19 +43,16 @@ class Field:
 
 
 @lru_cache(maxsize=4)
-def field_of(design: Design, shapes: tuple[ShapeId, ...], camera: Camera) -> Field:
-    """The dots and grips of those shapes."""
+def field_of(design: Design, shown: tuple[Handled, ...], camera: Camera) -> Field:
+    """The dots and grips of those control lines and planes."""
     at, world = [np.zeros((0, 2))], [np.zeros((0, 3))]
     depths = [np.zeros(0)]
     sides, owners, numbers = ([np.zeros(0, np.intp)] for _ in range(3))
-    for place, shape_id in enumerate(shapes):
-        geometry = design.plus(shape_id)
-        points = in_space(geometry.net.control_points)
-        deep = np.round(camera.depths(points) / camera.pixel)
-        for side, seen, there, rows in _marks(geometry, points, camera):
+    for place, (shape_id, faces) in enumerate(shown):
+        for side, seen, there, dots, rows in _marks(design[shape_id].geometry, faces, camera):
             at.append(seen)
             world.append(there)
-            depths.append(deep[rows])
+            depths.append(np.round(camera.depths(dots) / camera.pixel))
             sides.append(np.full(len(rows), side))
             owners.append(np.full(len(rows), place))
             numbers.append(rows)
@@ -66,25 +63,29 @@ def field_of(design: Design, shapes: tuple[ShapeId, ...], camera: Camera) -> Fie
         np.concatenate(sides).astype(np.int8),
         np.concatenate(owners),
         np.concatenate(numbers),
-        shapes,
+        tuple(shape_id for shape_id, _ in shown),
     )
 
 
-Marks: TypeAlias = tuple[int, Floats, Floats, NDArray[np.intp]]
-"""Side, pixels (k, 2), places (k, 3) and numbers (k,) of dots or grips."""
+Marks: TypeAlias = tuple[int, Floats, Floats, Floats, NDArray[np.intp]]
+"""Side, pixels (k, 2), places (k, 3), those of their dots, and numbers (k,) of dots or grips."""
 
 
-def _marks(geometry: PlusGeometry, points: Floats, camera: Camera) -> Iterator[Marks]:
-    rows = np.arange(len(points))
-    if isinstance(geometry, PlusSurface):
-        planes = plane_handles(geometry, camera)
-        yield 0, planes.points, points, rows
-        for way in (0, 1):
-            gripped = np.flatnonzero(planes.drawn[way])
-            yield way + 1, planes.tips[way][gripped], planes.tips_world[way][gripped], gripped
+def _marks(geometry: Geometry, faces: tuple[int, ...] | None, camera: Camera) -> Iterator[Marks]:
+    if isinstance(geometry, PlusCurve):
+        yield from _marks_of_lines(geometry, camera)
         return
-    stand = handles(geometry, camera)
-    yield 0, stand.points, points, rows
-    gripped, arms = np.flatnonzero(stand.drawn), in_space(stand.arms)
+    at = plane_handles(geometry, camera, faces)
+    yield 0, at.points, at.world, at.world, at.numbers
+    for way in (0, 1):
+        rows = np.flatnonzero(at.drawn[way])
+        tips = at.tips[way][rows], at.tips_world[way][rows]
+        yield way + 1, *tips, at.world[rows], at.numbers[rows]
+
+
+def _marks_of_lines(curve: PlusCurve, camera: Camera) -> Iterator[Marks]:
+    points, at = in_space(curve.lines.points), handles(curve, camera)
+    yield 0, at.points, points, points, np.arange(len(points))
+    rows, arms = np.flatnonzero(at.drawn), in_space(at.arms)
     for place, side in enumerate((1, -1)):
-        yield side, stand.tips[place][gripped], (points + side * arms)[gripped], gripped
+        yield side, at.tips[place][rows], (points + side * arms)[rows], points[rows], rows

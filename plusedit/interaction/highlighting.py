@@ -6,6 +6,7 @@ import numpy as np
 
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.curve import PlusCurve
+from plusedit.geometry.mesh.mesh_surface import MeshSurface
 from plusedit.geometry.surface import PlusSurface
 from plusedit.interaction.gizmo_picking import gizmo_highlight
 from plusedit.interaction.hits import Hit
@@ -16,6 +17,7 @@ from plusedit.interaction.tool import Stage
 from plusedit.scene.drawn import drawn
 from plusedit.scene.drawn_mesh import drawing_of
 from plusedit.scene.drawn_surface import surface_grids
+from plusedit.scene.face_outlines import face_items
 from plusedit.scene.isolines import isolines
 from plusedit.scene.items import Item, Polyline, Segments
 from plusedit.scene.mesh_shapes import mesh_silhouette
@@ -32,8 +34,10 @@ def highlight(hit: Hit, stage: Stage) -> Iterator[Item]:
             yield Polyline(line, "hover", WIDTH)
         yield Segments(*drawing.lines(drawing.net.boundary), "hover", WIDTH)
         return
-    geometry = stage.design.plus(hit.shape)
-    if hit.kind == "dot":
+    geometry = stage.design[hit.shape].geometry
+    if isinstance(geometry, MeshSurface) and hit.line is not None:
+        yield from face_items(drawing_of(geometry, wait=False), (hit.number,), "hover", WIDTH)
+    if hit.kind in ("dot", "face"):
         yield ring(geometry.net.control_points[[hit.number]])
     elif hit.kind == "grip":
         yield ring(tip_of(geometry, hit.number, hit.side, stage.camera)[None])

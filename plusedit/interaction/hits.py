@@ -11,7 +11,8 @@ from plusedit.geometry.arrays import Floats
 
 TIE = 0.25  # pixels: what is nearer by less counts as equally near
 
-Kind = Literal["dot", "grip", "curve", "surface", "mesh", "edge", "arrow", "ring"]
+Kind = Literal["dot", "grip", "curve", "surface", "mesh", "face", "edge", "arrow", "ring"]
+"""A "face" is the surface of a mesh where that is selected; where it is not, it is a "mesh"."""
 
 
 @dataclass(frozen=True)
@@ -39,8 +40,9 @@ class Hit:
 
     @property
     def line(self) -> LineId | None:
-        """The control line or plane whose dot or grip was hit; None of anything else."""
-        return LineId(self.shape, self.number) if self.kind in ("dot", "grip") else None
+        """The control line or plane whose dot, grip or face was hit; None of anything else."""
+        is_one = self.kind in ("dot", "grip", "face")
+        return LineId(self.shape, self.number) if is_one else None
 
 
 def nearest_on_segments(at: Floats, starts: Floats, ends: Floats) -> tuple[Floats, Floats]:

@@ -19,6 +19,7 @@ from plusedit.commands.rotation import rotation
 from plusedit.document.design import EditError
 from plusedit.interaction.actions import EditAction
 from plusedit.interaction.modal import chosen
+from plusedit.interaction.moving import points_meant
 from plusedit.interaction.tool import Outcome, Stage
 from plusedit.interaction.world_axes import lifting_axis, world_axes
 from plusedit.scene.camera import PlaneCamera
@@ -50,7 +51,7 @@ def nudge(stage: Stage, way: int, steps: float) -> Outcome:
     targets = chosen(stage)
     axes = (*world_axes(stage.camera)[:2], lifting_axis(stage.camera))
     axis, sign = axes[way]
-    if all(stage.design.plus(i).dimension <= axis for i in targets):
+    if all(stage.design[i].geometry.dimension <= axis for i in targets):
         raise EditError("A plane curve can't leave its plane.")
     by = np.zeros(3)
     by[axis] = sign * steps * stage.grid_step
@@ -66,7 +67,7 @@ def turn(stage: Stage, degrees: float) -> Outcome:
     if isinstance(camera, PlaneCamera):
         return Turn(targets, radians(degrees), camera.axes)
     toward = camera.axes_of_view[2]
-    flat = {i: rows for i, rows in targets.items() if stage.design.plus(i).dimension == 2}
+    flat = {i: rows for i, rows in targets.items() if stage.design[i].geometry.dimension == 2}
     solid = {i: rows for i, rows in targets.items() if i not in flat}
     edits: list[Command] = []
     if solid:
@@ -83,9 +84,9 @@ def mirror(stage: Stage, way: int) -> Outcome:
     targets = chosen(stage)
     axis, _ = world_axes(stage.camera)[way]
     values = [
-        stage.design.plus(i).net.control_points[list(rows), axis]
+        points_meant(stage.design, i, rows)[:, axis]
         for i, rows in targets.items()
-        if axis < stage.design.plus(i).dimension
+        if axis < stage.design[i].geometry.dimension
     ]
     if not values:
         raise EditError("A plane curve can't be mirrored out of its plane.")

@@ -50,7 +50,7 @@ def turn_selected(start: Pointer, stage: Stage) -> Drag:
     line = single(targets)
     if line is None:
         return _turn_all(start, stage, targets)
-    geometry = stage.design.plus(line.shape)
+    geometry = stage.design[line.shape].geometry
     if isinstance(geometry, PlusCurve) and isinstance(stage.camera, PlaneCamera):
         return turn_drag(start, stage, targets, line, hint=SINGLE_HINT)
     own = _view_axis(stage, targets, centroid(stage.design, targets))

@@ -135,20 +135,24 @@ def anchor_of(design: Design, targets: Targets, grabbed: LineId | None) -> Float
     """(3,) the control point that was taken hold of, or the middle of all that are moved."""
     if grabbed is None:
         return centroid(design, targets)
-    point: Floats = in_space(design.plus(grabbed.shape).net.control_points[[grabbed.number]])[0]
+    point: Floats = in_space(points_meant(design, grabbed.shape, (grabbed.number,)))[0]
     return point
 
 
 def centroid(design: Design, targets: Targets) -> Floats:
-    """(3,) the mean of the control points, and of the vertices of meshes."""
-    rows = [
-        in_space(design.plus(shape_id).net.control_points[list(numbers)])
-        if (mesh := design[shape_id].mesh) is None
-        else mesh.mesh.vertices
-        for shape_id, numbers in targets.items()
-    ]
+    """(3,) the mean of the control points, and of the vertices of whole meshes."""
+    rows = [in_space(points_meant(design, *meant)) for meant in targets.items()]
     mean: Floats = np.concatenate(rows).mean(axis=0)
     return mean
+
+
+def points_meant(design: Design, shape_id: ShapeId, numbers: tuple[int, ...]) -> Floats:
+    """(k, dim) those control points; the vertices of a mesh that is meant as a whole."""
+    mesh = design[shape_id].mesh
+    if mesh is not None and not numbers:
+        return mesh.mesh.vertices
+    points: Floats = design[shape_id].geometry.net.control_points[list(numbers)]
+    return points
 
 
 def is_flat(stage: Stage, shapes: Iterable[ShapeId]) -> bool:

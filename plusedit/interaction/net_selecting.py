@@ -7,8 +7,10 @@ import numpy as np
 from plusedit.commands.planes import row_numbers
 from plusedit.document.design import EditError
 from plusedit.document.selection import LineId, Selection
-from plusedit.document.shape import PlusGeometry, ShapeId
+from plusedit.document.shape import Geometry, PlusGeometry, ShapeId
 from plusedit.geometry.curve import PlusCurve
+from plusedit.geometry.mesh.mesh_surface import MeshSurface
+from plusedit.geometry.mesh.polygons import PolygonMesh
 from plusedit.geometry.net import Flags
 from plusedit.geometry.surface import PlusSurface, Way
 from plusedit.interaction.actions import EditAction
@@ -52,7 +54,7 @@ def place_of(shape: tuple[int, int], number: int, way: Way) -> int:
 
 
 def grow(stage: Stage) -> Outcome:
-    """What is selected and its neighbors, along a curve and in all four directions of a net."""
+    """What is selected and its neighbors: along a curve, all round in a net or on a mesh."""
     return _resized(stage, lambda geometry, chosen: chosen | beside(geometry, chosen))
 
 
@@ -61,12 +63,12 @@ def shrink(stage: Stage) -> Outcome:
     return _resized(stage, lambda geometry, chosen: chosen & ~beside(geometry, ~chosen))
 
 
-def _resized(stage: Stage, change: Callable[[PlusGeometry, Flags], Flags]) -> Outcome:
+def _resized(stage: Stage, change: Callable[[Geometry, Flags], Flags]) -> Outcome:
     lines: set[LineId] = set()
     chosen_lines = stage.selection.by_shape()
     for shape_id, numbers in chosen_lines.items():
-        geometry = stage.design.plus(shape_id)
-        chosen = np.zeros(len(geometry.net), dtype=np.bool_)
+        geometry = stage.design[shape_id].geometry
+        chosen = np.zeros(stage.design[shape_id].element_count, dtype=np.bool_)
         chosen[list(numbers)] = True
         after = np.flatnonzero(change(geometry, chosen)).tolist()
         lines |= {LineId(shape_id, number) for number in after}
@@ -77,8 +79,13 @@ def _resized(stage: Stage, change: Callable[[PlusGeometry, Flags], Flags]) -> Ou
     return Selection.of_lines(lines, stage.selection.active)
 
 
-def beside(geometry: PlusGeometry, chosen: Flags) -> Flags:
-    """(n,) which lines or planes are next to one of the chosen (n,), round the seam too."""
+def beside(geometry: Geometry, chosen: Flags) -> Flags:
+    """(n,) which lines or planes are next to one of the chosen (n,), round the seam too.
+
+    Faces are next to each other where they have a vertex in common.
+    """
+    if isinstance(geometry, MeshSurface):
+        return _touching(geometry.mesh, chosen)
     grid = chosen.reshape(_shape(geometry))
     found = np.zeros_like(grid)
     closed = (geometry.closed,) if isinstance(geometry, PlusCurve) else geometry.closed
@@ -89,6 +96,12 @@ def beside(geometry: PlusGeometry, chosen: Flags) -> Flags:
                 np.moveaxis(moved, axis, 0)[seam] = False
             found |= moved
     return found.ravel()
+
+
+def _touching(mesh: PolygonMesh, chosen: Flags) -> Flags:
+    touched = np.zeros(mesh.vertex_count, dtype=np.bool_)
+    touched[mesh.corners[np.repeat(chosen, mesh.sizes)]] = True
+    return np.logical_or.reduceat(touched[mesh.corners], mesh.starts[:-1])
 
 
 def _shape(geometry: PlusGeometry) -> tuple[int, ...]:

@@ -11,6 +11,8 @@ from numpy.typing import NDArray
 from plusedit.document.selection import LineId, Selection
 from plusedit.document.shape import Shape
 from plusedit.geometry.arrays import Floats
+from plusedit.geometry.curve import PlusCurve
+from plusedit.interaction.face_picking import faces_inside, faces_under
 from plusedit.interaction.facets import hidden, surfaces_under
 from plusedit.interaction.gizmo_picking import gizmo_under
 from plusedit.interaction.handle_field import Field, field_of
@@ -19,7 +21,7 @@ from plusedit.interaction.outlines import outlines_of
 from plusedit.interaction.places import in_space
 from plusedit.interaction.tool import REACH, Stage
 from plusedit.scene.camera import PlaneCamera
-from plusedit.scene.handles import handle_shapes
+from plusedit.scene.handles import Handled, faces_handled, handled
 from plusedit.scene.plane_handles import plane_handles
 
 AHEAD = 3.0  # pixels by which dots and grips count as nearer than the gizmo around them
@@ -32,8 +34,7 @@ def handles_under(
 
     Of others as near, what is nearer to the eye comes first, then what lies in front.
     """
-    shapes = handle_shapes(stage.design, stage.selection, stage.options)
-    field = field_of(stage.design, shapes, stage.camera)
+    field = field_of(stage.design, _handled(stage), stage.camera)
     # One comparison leaves few of many: the rest is worked out for those.
     rows = np.flatnonzero(np.abs(field.x - at[0]) <= reach)
     distances = np.hypot(*(field.at[rows] - at).T)
@@ -68,17 +69,24 @@ def handles_under(
     )
 
 
+def _handled(stage: Stage) -> tuple[Handled, ...]:
+    return handled(stage.design, stage.selection, stage.options)
+
+
 def _can_be_taken(field: Field, rows: NDArray[np.intp], stage: Stage) -> NDArray[np.bool_]:
     """Which of those rows are shown, and not hidden where the view asks for that."""
     taken = np.ones(len(rows), dtype=np.bool_)
     chosen = stage.selection.by_shape()
     for owner in np.unique(field.owners[rows]):
         shape_id = field.shapes[owner]
-        surface = stage.design[shape_id].surface
+        geometry = stage.design[shape_id].geometry
         grips = np.flatnonzero((field.owners[rows] == owner) & (field.sides[rows] > 0))
-        if surface is not None and len(grips):
-            shown = plane_handles(surface, stage.camera).gripped(chosen.get(shape_id, ()))
-            taken[grips] = shown[field.sides[rows[grips]] - 1, field.numbers[rows[grips]]]
+        if not isinstance(geometry, PlusCurve) and len(grips):
+            faces = faces_handled(stage.design, shape_id, stage.selection)
+            at = plane_handles(geometry, stage.camera, faces)
+            places = at.rows_of(field.numbers[rows[grips]])
+            shown = at.gripped(chosen.get(shape_id, ()))
+            taken[grips] = shown[field.sides[rows[grips]] - 1, places]
     if stage.options.front_only and not isinstance(stage.camera, PlaneCamera):
         taken &= ~np.array(hidden(field.world[rows], stage.design, stage.camera), dtype=np.bool_)
     return taken
@@ -117,11 +125,14 @@ def lines_under(at: Floats, stage: Stage, reach: float = REACH) -> list[Hit]:
 def shapes_under(at: Floats, stage: Stage, reach: float = REACH) -> list[Hit]:
     """Curves and surfaces: curves first, but for those that a surface hides.
 
-    In a view of a plane surfaces are found by the lines on them only: they are seen through.
+    In a view of a plane surfaces are found by the lines on them only: they are seen through. But
+    of a mesh that is selected the faces are found everywhere.
     """
     lines = lines_under(at, stage, reach)
     if isinstance(stage.camera, PlaneCamera):
-        return lines
+        faces = faces_under(at, stage)
+        owners = {hit.shape for hit in faces}
+        return [hit for hit in lines if hit.shape not in owners] + faces
     inside = surfaces_under(at, stage)
     if not inside:
         return lines
@@ -158,10 +169,12 @@ def under(at: Floats, stage: Stage, reach: float = REACH) -> Hit | None:
 
 
 def inside(corner: Floats, other: Floats, stage: Stage) -> Selection:
-    """The dots shown that lie in a box of pixels, and the curves and surfaces wholly in it."""
+    """The dots shown that lie in a box of pixels, and the curves and surfaces wholly in it.
+
+    Of meshes that are selected also the faces in it, unless all of them are.
+    """
     low, high = np.minimum(corner, other), np.maximum(corner, other)
-    shapes = handle_shapes(stage.design, stage.selection, stage.options)
-    field = field_of(stage.design, shapes, stage.camera)
+    field = field_of(stage.design, _handled(stage), stage.camera)
     held = ((field.at >= low) & (field.at <= high)).all(axis=1) & (field.sides == 0)
     rows = np.flatnonzero(held)
     lines = frozenset(
@@ -173,4 +186,4 @@ def inside(corner: Floats, other: Floats, stage: Stage) -> Selection:
     out = ((ends < low) | (ends > high)).any(axis=1)
     reached = set(np.concatenate([outlines.owners, outlines.owners])[out].tolist())
     whole = [shape for place, shape in enumerate(outlines.shapes) if place not in reached]
-    return Selection(lines, frozenset(whole))
+    return Selection(lines | faces_inside(low, high, stage), frozenset(whole))

@@ -29,7 +29,7 @@ def _is_free(shape_id: ShapeId, stage: Stage) -> bool:
 
 
 def all_lines(stage: Stage) -> list[LineId]:
-    """Every control line and plane that can be edited, in order, back to front."""
+    """Every control line and plane that can be edited, in order, back to front; no faces."""
     return [
         LineId(shape_id, number)
         for shape_id, geometry in stage.design.drawn()
@@ -39,10 +39,17 @@ def all_lines(stage: Stage) -> list[LineId]:
 
 
 def delete(stage: Stage) -> Outcome:
-    """Delete the selected lines and rows of planes, and shapes selected without any of them."""
+    """Delete the selected lines and rows of planes, and shapes selected without any of them.
+
+    EditError where faces of a mesh are selected: what they are is not for the editor to change.
+    """
     lines = stage.selection.by_shape()
     free = shapes_of(stage)
     targets = {shape_id: rows for shape_id, rows in lines.items() if shape_id in free}
+    if any(stage.design[shape_id].mesh is not None for shape_id in targets):
+        raise EditError(
+            "Faces of a mesh can't be deleted. Reset planes takes back what was changed of them."
+        )
     whole = tuple(shape_id for shape_id in free if shape_id not in lines)
     commands: list[Command] = []
     if targets:
@@ -80,15 +87,31 @@ def select_paths(stage: Stage) -> Outcome:
 
 
 def invert(stage: Stage) -> Outcome:
-    """The lines that are not selected; a shape selected as a whole counts with all its lines."""
+    """The lines that are not selected; a shape selected as a whole counts with all its lines.
+
+    Of a mesh with selected faces the others, and all of one that is not selected, as a whole.
+    """
     targets = stage.selection.targets(stage.design)
-    return Selection.of_lines(
-        line for line in all_lines(stage) if line.number not in targets.get(line.shape, ())
-    )
+    lines = {line for line in all_lines(stage) if line.number not in targets.get(line.shape, ())}
+    whole = set()
+    for shape_id, surface in stage.design.meshes():
+        if _is_free(shape_id, stage) and shape_id not in targets:
+            whole.add(shape_id)
+        elif rows := targets.get(shape_id):
+            others = np.setdiff1d(np.arange(surface.mesh.face_count), rows).tolist()
+            lines |= {LineId(shape_id, number) for number in others}
+    chosen = Selection.of_lines(lines)
+    return Selection(chosen.lines, frozenset(whole), chosen.active)
 
 
 def neighbor(stage: Stage, by: int) -> Outcome:
-    """The line after or before the one selected last, from shape to shape and round again."""
+    """The line after or before the one selected last, from shape to shape and round again.
+
+    On a mesh that is selected the face after or before.
+    """
+    meshes = [i for i, _ in stage.design.meshes() if i in stage.selection.shapes]
+    if len(meshes) == len(stage.selection.shapes) == 1:
+        return _next_face(stage, meshes[0], by)
     lines = all_lines(stage)
     if not lines:
         raise EditError("There are no control lines to select.")
@@ -103,6 +126,13 @@ def neighbor(stage: Stage, by: int) -> Outcome:
             # A shape selected as a whole: begin at its first line, or its last.
             return Selection.of_lines([chosen[0 if by > 0 else -1]])
     return Selection.of_lines([lines[(lines.index(current) + by) % len(lines)]])
+
+
+def _next_face(stage: Stage, shape_id: ShapeId, by: int) -> Selection:
+    leading, count = stage.selection.leading, stage.design[shape_id].element_count
+    if leading is None:
+        return Selection.of_lines([LineId(shape_id, 0 if by > 0 else count - 1)])
+    return Selection.of_lines([LineId(shape_id, (leading.number + by) % count)])
 
 
 ACTIONS = (

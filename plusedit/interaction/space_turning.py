@@ -8,9 +8,10 @@ import numpy as np
 from plusedit.commands.base import Landing, Side, Targets
 from plusedit.commands.rotation import Rotate
 from plusedit.document.selection import LineId, Selection
-from plusedit.document.shape import PlusGeometry
+from plusedit.document.shape import Geometry
 from plusedit.geometry.arrays import Floats, unit
-from plusedit.geometry.surface import PlusSurface, Way
+from plusedit.geometry.curve import PlusCurve
+from plusedit.geometry.surface import Way
 from plusedit.interaction.ball import Ball, azimuth, elevation, from_angles, turn_between
 from plusedit.interaction.following import Follower
 from plusedit.interaction.readout import number, pie
@@ -21,7 +22,7 @@ from plusedit.interaction.tool import Drag, Feedback, Held, Pointer, Shown, Stag
 from plusedit.scene.camera import Camera
 from plusedit.scene.gizmo import RADIUS
 from plusedit.scene.handles import handles
-from plusedit.scene.plane_handles import plane_handles
+from plusedit.scene.plane_handles import handles_of_plane
 
 AXIS_HINT = (
     "Rotate · X, Y, Z about an axis · Ctrl snaps to 15° · Shift is slow · type degrees · "
@@ -123,7 +124,7 @@ def ball_drag(
 
     The directions on that side of all `targets` turn alike; with Alt they are stretched.
     """
-    grip = SpaceGrip(stage.design.plus(held.shape), held, side, stage.camera)
+    grip = SpaceGrip(stage.design[held.shape].geometry, held, side, stage.camera)
     ball = Ball(stage.camera, grip.point, grip.tip)
     turning = Turning(stage.camera, Axis(grip.point, ball.toward), start)
     stretch = Follower(stage.camera, grip.tip, unit(grip.tip - grip.point)[None])
@@ -148,9 +149,9 @@ def ball_drag(
 class SpaceGrip:
     """A grip in space, and the edits made of where it points."""
 
-    def __init__(self, geometry: PlusGeometry, line: LineId, side: int, camera: Camera) -> None:
+    def __init__(self, geometry: Geometry, line: LineId, side: int, camera: Camera) -> None:
         self._line = line
-        is_plane = isinstance(geometry, PlusSurface)
+        is_plane = not isinstance(geometry, PlusCurve)
         way = side - 1 if is_plane else 0
         self._way: Way = "v" if way == 1 else "u"
         self.side: Side = self._way if is_plane else "both"
@@ -197,10 +198,12 @@ class SpaceGrip:
         return edit, f"length {number(factor, 2)}×"
 
 
-def tip_of(geometry: PlusGeometry, number: int, side: int, camera: Camera) -> Floats:
+def tip_of(geometry: Geometry, number: int, side: int, camera: Camera) -> Floats:
     """(3,) where a grip stands in the world."""
-    if isinstance(geometry, PlusSurface):
-        tip: Floats = plane_handles(geometry, camera).tips_world[side - 1, number]
-        return tip
-    stand: Floats = geometry.lines.points[number] + side * handles(geometry, camera).arms[number]
-    return stand
+    if isinstance(geometry, PlusCurve):
+        arm = handles(geometry, camera).arms[number]
+        stand: Floats = geometry.lines.points[number] + side * arm
+        return stand
+    at, row = handles_of_plane(geometry, number, camera)
+    tip: Floats = at.tips_world[side - 1, row]
+    return tip

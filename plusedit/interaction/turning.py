@@ -7,9 +7,10 @@ import numpy as np
 from plusedit.commands.base import Landing, Side, Targets
 from plusedit.commands.directions import SetDirection, Turn, quarter_exact
 from plusedit.document.selection import LineId, Selection
-from plusedit.document.shape import PlusGeometry
+from plusedit.document.shape import Geometry
 from plusedit.geometry.arrays import Floats, unit
-from plusedit.geometry.surface import PlusSurface, Way
+from plusedit.geometry.curve import PlusCurve
+from plusedit.geometry.surface import Way
 from plusedit.interaction.places import in_space, seen_plane
 from plusedit.interaction.readout import angle_text, number
 from plusedit.interaction.snapping import ROUND_ANGLE, to_step
@@ -17,7 +18,7 @@ from plusedit.interaction.space_turning import Axis, axis_drag, ball_drag
 from plusedit.interaction.swing import Slowed, Swing
 from plusedit.interaction.tool import Drag, Feedback, Held, Pointer, Shown, Stage
 from plusedit.scene.camera import Camera, PlaneCamera
-from plusedit.scene.plane_handles import plane_handles
+from plusedit.scene.plane_handles import Planar, handles_of_plane, plane_reaches
 
 HINT = "Drag to rotate · Ctrl snaps to 15° · Shift is slow · Alt stretches · type degrees · Esc"
 
@@ -37,7 +38,7 @@ def turn_drag(
     that side follows the pointer: `held` is set to it, the others turn and stretch alike. In space
     the grip follows the pointer over the ball about the control point.
     """
-    geometry = stage.design.plus(held.shape)
+    geometry = stage.design[held.shape].geometry
     if isinstance(stage.camera, PlaneCamera):
         return _flat_drag(start, stage, targets, held, side, selection, hint)
     if geometry.dimension == 2:
@@ -56,7 +57,7 @@ def _flat_drag(
     selection: Selection | None,
     hint: str,
 ) -> Drag:
-    grip = Grip(stage.design.plus(held.shape), held, side, stage.camera)
+    grip = Grip(stage.design[held.shape].geometry, held, side, stage.camera)
     center = stage.camera.to_screen(grip.point[None])[0]
     swing, slowed = Swing(center, start.at), Slowed()
     now = yield Shown(selection, Feedback(hint=hint, cursor="turn"))
@@ -77,7 +78,7 @@ def _flat_drag(
 
 def pull_drag(start: Pointer, stage: Stage, held: LineId, selection: Selection) -> Drag:
     """Pull a direction out of the dot of a line or plane that has none."""
-    geometry = stage.design.plus(held.shape)
+    geometry = stage.design[held.shape].geometry
     side = 2 if geometry.vectors[0, held.number].any() else 1
     if not isinstance(stage.camera, PlaneCamera):
         return _pull_in_space(stage, held, side, selection)
@@ -85,7 +86,7 @@ def pull_drag(start: Pointer, stage: Stage, held: LineId, selection: Selection) 
 
 
 def _pull_in_plane(stage: Stage, held: LineId, side: int, selection: Selection) -> Drag:
-    grip = Grip(stage.design.plus(held.shape), held, side, stage.camera)
+    grip = Grip(stage.design[held.shape].geometry, held, side, stage.camera)
     now = yield Shown(selection, Feedback(hint=HINT, cursor="turn"))
     targets = {held.shape: (held.number,)}
     while True:
@@ -95,8 +96,8 @@ def _pull_in_plane(stage: Stage, held: LineId, side: int, selection: Selection) 
 
 
 def _pull_in_space(stage: Stage, held: LineId, side: int, selection: Selection) -> Drag:
-    geometry = stage.design.plus(held.shape)
-    point, reach = geometry.net.control_points[held.number], reach_of(geometry, side)
+    geometry = stage.design[held.shape].geometry
+    point, reach = geometry.net.control_points[held.number], reach_of(geometry, held.number, side)
     now = yield Shown(selection, Feedback(hint=HINT, cursor="turn"))
     while True:
         way = stage.camera.to_world(now.at, point) - point
@@ -106,34 +107,34 @@ def _pull_in_space(stage: Stage, held: LineId, side: int, selection: Selection) 
         now = yield Shown(edit, Feedback(hint=HINT, readout=text, cursor="turn"))
 
 
-def side_of(geometry: PlusGeometry, side: int) -> Side:
+def side_of(geometry: Geometry, side: int) -> Side:
     """Which directions a grip on that side of a line or plane stands for."""
-    if isinstance(geometry, PlusSurface):
-        return "v" if side == 2 else "u"
-    return "both"
+    if isinstance(geometry, PlusCurve):
+        return "both"
+    return "v" if side == 2 else "u"
 
 
-def reach_of(geometry: PlusGeometry, side: int) -> float:
+def reach_of(geometry: Geometry, number: int, side: int) -> float:
     """The length of the handle of a direction of length 1, as it is by itself."""
-    if isinstance(geometry, PlusSurface):
-        return geometry.spacings[side - 1] * abs(geometry.s)
-    return geometry.spacing * abs(geometry.s)
+    if isinstance(geometry, PlusCurve):
+        return geometry.spacing * abs(geometry.s)
+    return float(plane_reaches(geometry, np.array([number]))[side - 1, 0])
 
 
 class Grip:
     """An end of a control line or an arm of a plane, and the edits made of where it is drawn to."""
 
-    def __init__(self, geometry: PlusGeometry, line: LineId, side: int, camera: Camera) -> None:
+    def __init__(self, geometry: Geometry, line: LineId, side: int, camera: Camera) -> None:
         self._line = line
-        self._is_plane = isinstance(geometry, PlusSurface)
+        self._is_plane = not isinstance(geometry, PlusCurve)
         self._side = side_of(geometry, side)
         self._way: Way = "v" if self._side == "v" else "u"
         self._sign = 1 if self._is_plane else side
         self._plane = seen_plane(camera)
         self.point = geometry.net.control_points[line.number]
         self._direction = geometry.vectors[side - 1 if self._is_plane else 0, line.number]
-        self._per_unit = reach_of(geometry, side)
-        if isinstance(geometry, PlusSurface):
+        self._per_unit = reach_of(geometry, line.number, side)
+        if not isinstance(geometry, PlusCurve):
             self._per_unit = _drawn_reach(geometry, line.number, side - 1, camera)
 
     @property
@@ -196,11 +197,10 @@ class Grip:
         return result
 
 
-def _drawn_reach(surface: PlusSurface, number: int, way: int, camera: Camera) -> float:
+def _drawn_reach(geometry: Planar, number: int, way: int, camera: Camera) -> float:
     """The length of an arm as it is drawn, for a direction of length 1; 0 where there is none."""
-    length = float(np.linalg.norm(surface.vectors[way, number]))
+    length = float(np.linalg.norm(geometry.vectors[way, number]))
     if length == 0.0:
-        return surface.spacings[way] * abs(surface.s)
-    tip = plane_handles(surface, camera).tips_world[way, number]
-    arm = float(np.linalg.norm(tip - surface.planes.control_points[number]))
-    return arm / length
+        return reach_of(geometry, number, way + 1)
+    at, row = handles_of_plane(geometry, number, camera)
+    return float(np.linalg.norm(at.tips_world[way, row] - at.world[row])) / length

@@ -13,11 +13,10 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from plusedit.geometry.surface import PlusSurface
 from plusedit.scene.camera import Camera
 from plusedit.scene.control_lines import NORMAL, QUIET, SELECTED, Rows, Strokes
 from plusedit.scene.items import Item, Mark, Markers, Polygon, Segments
-from plusedit.scene.plane_handles import ROOM, SMALLEST, PlaneHandles, plane_handles
+from plusedit.scene.plane_handles import ROOM, SMALLEST, Planar, PlaneHandles, plane_handles
 
 DOT = 4.5  # pixels, as all sizes here
 GRIPS: Final[tuple[tuple[str, Mark, float], ...]] = (("u", "circle", 9.0), ("v", "diamond", 10.0))
@@ -36,36 +35,34 @@ OTHERS = ((1, 2), (2, 3))
 class Planes:
     """The control planes of one surface with what their looks depend on."""
 
-    surface: PlusSurface
     at: PlaneHandles
     gripped: NDArray[np.bool_]
     """(2, n)"""
     order: Rows
-    """(n,) the numbers from the farthest to the nearest"""
+    """(n,) the rows of them from the farthest to the nearest"""
 
     def ordered(self, taken: NDArray[np.bool_]) -> Rows:
-        """The numbers of those planes, the farthest first."""
+        """The rows of those planes, the farthest first."""
         return self.order[taken[self.order]]
 
 
 def control_plane_items(
-    surface: PlusSurface,
+    geometry: Planar,
     camera: Camera,
     *,
     selected: tuple[int, ...] = (),
     active: int | None = None,
     quiet: bool = False,
+    faces: tuple[int, ...] | None = None,
 ) -> Iterator[Item]:
-    """The control planes of one surface, the selected ones in front."""
-    at = plane_handles(surface, camera)
-    order = np.argsort(-camera.depths(surface.planes.control_points), kind="stable")
-    planes = Planes(surface, at, at.gripped(selected), order)
-    chosen = np.zeros(len(surface.planes), dtype=np.bool_)
-    chosen[list(selected)] = True
+    """The control planes of one surface, the selected ones in front; with `faces`, only those."""
+    at = plane_handles(geometry, camera, faces)
+    order = np.argsort(-camera.depths(at.world), kind="stable")
+    planes, chosen = Planes(at, at.gripped(selected), order), at.among(selected)
     small = at.spacing < FEWEST or len(chosen) > MOST
     yield from _planes(planes, planes.ordered(~chosen), QUIET if quiet else NORMAL, small=small)
     if active is not None:
-        point = surface.planes.control_points[[active]]
+        point = geometry.net.control_points[[active]]
         yield Markers(point, "circle", RING, "selected@22", "selected@22")
     yield from _planes(planes, planes.ordered(chosen), SELECTED, small=False)
 
@@ -78,12 +75,12 @@ def _planes(planes: Planes, rows: Rows, strokes: Strokes, *, small: bool) -> Ite
         yield from _outlines(planes, rows, strokes)
     yield from _arms(planes, rows, strokes)
     yield from _grips(planes, rows, strokes)
-    points = planes.surface.planes.control_points[rows]
+    points = planes.at.world[rows]
     yield Markers(points, "circle", DOT, strokes.color, strokes.color, 1.0)
 
 
 def _fills(planes: Planes, rows: Rows, strokes: Strokes) -> Iterator[Item]:
-    at, automatic = planes.at, planes.surface.planes.automatic_vectors
+    at, automatic = planes.at, planes.at.automatic
     hollow = automatic.all(axis=0) & (strokes is not SELECTED)
     for row in rows[(at.flat & ~hollow)[rows]]:
         yield Polygon(at.corners[row], "front@85" if at.front[row] else "back")
@@ -120,7 +117,7 @@ def _edges(
 
 
 def _arms(planes: Planes, rows: Rows, strokes: Strokes) -> Iterator[Item]:
-    points = planes.surface.planes.control_points
+    points = planes.at.world
     for way, (color, _, _) in enumerate(GRIPS):
         gripped = rows[planes.gripped[way, rows]]
         if len(gripped):
@@ -130,7 +127,7 @@ def _arms(planes: Planes, rows: Rows, strokes: Strokes) -> Iterator[Item]:
 
 
 def _grips(planes: Planes, rows: Rows, strokes: Strokes) -> Iterator[Item]:
-    automatic = planes.surface.planes.automatic_vectors
+    automatic = planes.at.automatic
     for way, (color, mark, size) in enumerate(GRIPS):
         gripped = rows[planes.gripped[way, rows]]
         for hollow in (False, True):

@@ -16,10 +16,10 @@ from numpy.typing import NDArray
 from plusedit.document.design import Design
 from plusedit.document.selection import LineId, Selection
 from plusedit.geometry.arrays import Floats, unit
-from plusedit.geometry.surface import PlusSurface
+from plusedit.geometry.curve import PlusCurve
 from plusedit.scene.camera import Camera, PlaneCamera
 from plusedit.scene.items import Item, Polygon, Polyline, Segments
-from plusedit.scene.plane_handles import plane_frames
+from plusedit.scene.plane_handles import Planar, plane_frames
 
 RADIUS = 64.0  # pixels, of the rings
 ARROW = (74.0, 102.0)  # pixels from the point to where an arrow begins and ends: beyond the rings
@@ -111,23 +111,23 @@ def gizmo_of(design: Design, selection: Selection, camera: Camera) -> Gizmo | No
 
     It is shown in views of space only: from the side, along an axis, it would be in the way.
     """
-    line = selection.active or min(selection.lines, default=None)
+    line = selection.leading
     if line is None or isinstance(camera, PlaneCamera) or not design[line.shape].editable:
         return None
-    geometry = design.plus(line.shape)
+    geometry = design[line.shape].geometry
     point = geometry.net.control_points[line.number]
     if len(point) != 3 or not np.isfinite(camera.to_screen(point[None])).all():
         return None
     pixel = float(camera.pixel_at(point[None])[0])
     toward = -camera.ray(camera.to_screen(point[None])[0])[1]
-    if not isinstance(geometry, PlusSurface):
+    if isinstance(geometry, PlusCurve):
         names = ("x", "y", "z")
         return Gizmo(line, point, np.eye(3), names, LINE_COLORS, False, pixel, toward)
     axes = plane_axes(geometry, line.number, camera)
     return Gizmo(line, point, axes, ("u", "v", "normal"), PLANE_COLORS, True, pixel, toward)
 
 
-def plane_axes(surface: PlusSurface, number: int, camera: Camera) -> Floats:
+def plane_axes(surface: Planar, number: int, camera: Camera) -> Floats:
     """(3, 3) the directions of d^u and d^v and the normal of a control plane, unit vectors.
 
     Where the two span no plane, three perpendicular ones, one of them along what there is.

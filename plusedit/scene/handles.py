@@ -9,13 +9,14 @@ again on the other side. Drawing and picking read the same handles.
 
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
 from plusedit.document.design import Design
 from plusedit.document.selection import Selection
-from plusedit.document.shape import ShapeId
+from plusedit.document.shape import Shape, ShapeId
 from plusedit.geometry.arrays import Floats, unit
 from plusedit.geometry.curve import PlusCurve
 from plusedit.scene.camera import Camera
@@ -24,7 +25,7 @@ from plusedit.scene.options import ViewOptions
 SHORTEST, LONGEST = 24.0, 160.0  # pixels from grip to grip
 END_ON = 1e-3  # foreshortening beyond which a direction is seen as a point
 STEEP = 0.05  # foreshortening down to which the shortest length is kept to, against all depth
-ALL_UP_TO = 200  # control lines and planes of a design whose handles are all shown
+ALL_UP_TO = 200  # control lines and planes of a design, or of a mesh, whose handles are all shown
 PROBE = 100.0  # pixels over which foreshortening is measured: many, so that rounding is lost
 
 
@@ -78,15 +79,46 @@ def foreshortening(points: Floats, ways: Floats, pixel: Floats, camera: Camera) 
 def handle_shapes(
     design: Design, selection: Selection, options: ViewOptions
 ) -> tuple[ShapeId, ...]:
-    """The shapes whose control lines or planes are shown, back to front: only editable ones."""
+    """The shapes whose control lines or planes are shown, back to front: only editable ones.
+
+    Of a mesh of many faces planes are shown only where some are selected.
+    """
     if options.handles == "none":
         return ()
-    shown = {
-        shape_id: len(shape.plus.net)
-        for shape_id, shape in design.shapes.items()
-        if shape.plus is not None and shape.editable
-    }
+    free = {i: shape for i, shape in design.shapes.items() if shape.editable}
+    counts = {i: shape.element_count for i, shape in free.items() if not has_many_faces(shape)}
     everyone = options.handles == "all" or (
-        options.handles == "auto" and sum(shown.values()) <= ALL_UP_TO
+        options.handles == "auto" and sum(counts.values()) <= ALL_UP_TO
     )
-    return tuple(i for i in shown if everyone or i in selection.shapes)
+    chosen = selection.by_shape()
+    return tuple(
+        i for i in free if i in chosen or (i in counts and (everyone or i in selection.shapes))
+    )
+
+
+def has_many_faces(shape: Shape) -> bool:
+    """Whether it is a mesh of so many that not all of their planes are ever shown."""
+    return shape.mesh is not None and shape.element_count > ALL_UP_TO
+
+
+Handled: TypeAlias = tuple[ShapeId, tuple[int, ...] | None]
+"""A shape, and the numbers of the lines or planes of it that are shown; None: all of them."""
+
+
+def handled(design: Design, selection: Selection, options: ViewOptions) -> tuple[Handled, ...]:
+    """The control lines and planes that are shown, by shape, back to front."""
+    shapes = handle_shapes(design, selection, options)
+    return tuple((i, faces_handled(design, i, selection)) for i in shapes)
+
+
+def faces_handled(
+    design: Design, shape_id: ShapeId, selection: Selection
+) -> tuple[int, ...] | None:
+    """Of a mesh of many faces the selected ones, or of many of those the leading one; else None."""
+    if not has_many_faces(design[shape_id]):
+        return None
+    chosen = selection.by_shape().get(shape_id, ())
+    if len(chosen) <= ALL_UP_TO:
+        return chosen
+    leading = selection.leading
+    return (leading.number,) if leading is not None and leading.shape == shape_id else ()

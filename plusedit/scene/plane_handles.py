@@ -4,19 +4,28 @@ Control plane (i, j) is drawn as a small square about P_ij in the plane of its t
 same size at any zoom, and an arm along each of them that ends in a grip: by u and by v. The square
 is spanned by the two perpendicular directions nearest to d^u and d^v. Where the control points
 stand closer than the squares are wide these become smaller. Drawing and picking read the same
-handles.
+handles. Planes of the faces of a mesh are drawn like that too; of a mesh of many faces only some,
+each as if it stood by itself.
 """
 
 from dataclasses import dataclass
 from functools import lru_cache
+from math import inf
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
 from plusedit.geometry.arrays import Floats, unit
+from plusedit.geometry.mesh.mesh_surface import MeshSurface
+from plusedit.geometry.mesh.polygons import PolygonMesh
+from plusedit.geometry.net import Flags
 from plusedit.geometry.surface import PlusSurface
 from plusedit.scene.camera import Camera
-from plusedit.scene.handles import END_ON, foreshortening
+from plusedit.scene.handles import ALL_UP_TO, END_ON, foreshortening
+
+Planar: TypeAlias = PlusSurface | MeshSurface
+"""What has control planes."""
 
 SIDE = 22.0  # pixels, of a square by itself
 SMALLEST = 5.0  # pixels, where control points stand close
@@ -30,8 +39,14 @@ ALIKE = 1e-6  # sine of the angle between two directions that span no plane
 
 @dataclass(frozen=True, eq=False)
 class PlaneHandles:
-    """The control planes of one surface, by number; screen pixels run right and downwards."""
+    """Control planes of one surface, in rows; screen pixels run right and downwards."""
 
+    numbers: NDArray[np.intp]
+    """(n,) of the planes, ascending: all of a surface, perhaps only some faces of a mesh"""
+    world: Floats
+    """(n, 3) the P_ij"""
+    automatic: Flags
+    """(2, n) which directions nobody has set"""
     points: Floats
     """(n, 2) the dots, at the P_ij"""
     corners: Floats
@@ -51,31 +66,53 @@ class PlaneHandles:
     spacing: float
     """pixels between neighboring control points in the middle of all, seen from the side"""
 
+    def rows_of(self, numbers: "tuple[int, ...] | NDArray[np.intp]") -> NDArray[np.intp]:
+        """(k,) the rows of planes that are among them."""
+        rows: NDArray[np.intp] = np.searchsorted(self.numbers, np.asarray(numbers, dtype=np.intp))
+        return rows
+
+    def among(self, numbers: tuple[int, ...]) -> Flags:
+        """(n,) which of the planes those are."""
+        return np.isin(self.numbers, numbers)
+
     def gripped(self, selected: tuple[int, ...]) -> NDArray[np.bool_]:
         """(2, n) whose grips are shown: of all planes where there is room, else of `selected`."""
         shown = self.drawn.copy()
         if self.spacing < SPACIOUS:
-            others = np.ones(shown.shape[1], dtype=np.bool_)
-            others[list(selected)] = False
-            shown[:, others] = False
+            shown[:, ~self.among(selected)] = False
         return shown
 
 
+def handles_of_plane(geometry: Planar, number: int, camera: Camera) -> tuple[PlaneHandles, int]:
+    """Handles with that plane among them, as it is drawn, and its row."""
+    many = isinstance(geometry, MeshSurface) and geometry.mesh.face_count > ALL_UP_TO
+    at = plane_handles(geometry, camera, (number,) if many else None)
+    return at, int(at.rows_of((number,))[0])
+
+
 @lru_cache(maxsize=64)
-def plane_handles(surface: PlusSurface, camera: Camera) -> PlaneHandles:
-    """Where the dots, squares and grips of a surface stand in that view."""
-    points, directions = surface.planes.control_points, surface.vectors
-    pixel, spacing = camera.pixel_at(points), _spacing(surface, camera)
+def plane_handles(
+    geometry: Planar, camera: Camera, faces: tuple[int, ...] | None = None
+) -> PlaneHandles:
+    """Where the dots, squares and grips of a surface stand in that view; with `faces`, of those."""
+    net, vectors = geometry.net, geometry.vectors
+    numbers = np.arange(len(net)) if faces is None else np.array(faces, dtype=np.intp)
+    points, directions, automatic = net.control_points, vectors, net.automatic_vectors
+    if faces is not None:
+        points, directions, automatic = points[numbers], vectors[:, numbers], automatic[:, numbers]
+    pixel, spacing = camera.pixel_at(points), _spacing(geometry, camera)
     frames, flat = plane_frames(directions, camera.axes_of_view)
     side = np.clip(ROOM * spacing, SMALLEST, SIDE) * pixel
     corners = points[:, None] + _CORNERS @ frames[:, :2] * (side / 2.0)[:, None, None]
-    reach = surface.spacings[0] * abs(surface.s), surface.spacings[1] * abs(surface.s)
+    full = plane_reaches(geometry, numbers)[..., None] * directions
     arms, drawn = zip(
-        *(_arms(points, reach[way] * directions[way], directions[way], camera) for way in (0, 1)),
-        strict=True,
+        *(_arms(points, full[way], directions[way], camera) for way in (0, 1)), strict=True
     )
     tips = points + np.stack(arms)
     return PlaneHandles(
+        numbers,
+        points,
+        automatic,
         camera.to_screen(points),
         corners,
         np.stack([camera.to_screen(tip) for tip in tips]),
@@ -86,6 +123,16 @@ def plane_handles(surface: PlusSurface, camera: Camera) -> PlaneHandles:
         _turns_left(camera.to_screen(corners.reshape(-1, 3)).reshape(-1, 4, 2)),
         spacing,
     )
+
+
+def plane_reaches(geometry: Planar, numbers: NDArray[np.intp]) -> Floats:
+    """(2, n) or (2, 1) the lengths of arms for directions of length 1, as they are by themselves.
+
+    Of a surface to the next node; of a face as far as its parameters reach from the center.
+    """
+    if isinstance(geometry, PlusSurface):
+        return np.array(geometry.spacings)[:, None] * abs(geometry.s)
+    return np.tile(geometry.planes.radii[numbers] * abs(geometry.s), (2, 1))
 
 
 _CORNERS = np.array([[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]])
@@ -142,9 +189,18 @@ def _turns_left(corners: Floats) -> NDArray[np.bool_]:
     return turns
 
 
-def _spacing(surface: PlusSurface, camera: Camera) -> float:
-    points = surface.planes.points
+def _spacing(geometry: Planar, camera: Camera) -> float:
+    if isinstance(geometry, MeshSurface):
+        return inf if geometry.mesh.face_count > ALL_UP_TO else _edge(geometry.mesh, camera)
+    points = geometry.planes.points
     pixel = camera.pixel_at(points.reshape(-1, 3)).reshape(points.shape[:2])
     along_u = np.linalg.norm(np.diff(points, axis=0), axis=2) / pixel[1:]
     along_v = np.linalg.norm(np.diff(points, axis=1), axis=2) / pixel[:, 1:]
     return float(np.median(np.concatenate([along_u.ravel(), along_v.ravel()])))
+
+
+def _edge(mesh: PolygonMesh, camera: Camera) -> float:
+    """Pixels along the median edge, seen from the side."""
+    corners = mesh.vertices[mesh.corners]
+    lengths = np.linalg.norm(corners[mesh.following] - corners, axis=1)
+    return float(np.median(lengths / camera.pixel_at(corners)))

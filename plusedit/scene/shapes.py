@@ -15,8 +15,10 @@ from plusedit.scene.camera import Camera
 from plusedit.scene.control_lines import control_line_items
 from plusedit.scene.control_planes import control_plane_items
 from plusedit.scene.drawn import drawn
+from plusedit.scene.drawn_mesh import drawing_of
 from plusedit.scene.drawn_surface import Grids
-from plusedit.scene.handles import handle_shapes
+from plusedit.scene.face_outlines import face_items
+from plusedit.scene.handles import faces_handled, handle_shapes
 from plusedit.scene.isolines import isoline_items, isolines
 from plusedit.scene.items import Item, Label, Mesh, Patch, Polyline, Segments
 from plusedit.scene.options import ViewOptions
@@ -123,22 +125,26 @@ def handle_items(
     only: Collection[ShapeId] | None,
 ) -> Iterator[Item]:
     """The control lines and planes that are shown, those of selected shapes in front."""
-    shown = [i for i in handle_shapes(design, selection, options) if only is None or i in only]
     lines = selection.by_shape()
+    for shape_id, _, surface in shown_meshes(design, only):
+        if shape_id in lines:
+            yield from face_items(drawing_of(surface, wait=False), lines[shape_id])
+    shown = [i for i in handle_shapes(design, selection, options) if only is None or i in only]
     active = selection.active
     # Those of selected shapes come last: they lie in front, as they are what a click takes.
     for shape_id in sorted(shown, key=lambda i: i in selection.shapes):
-        geometry = design.plus(shape_id)
+        geometry = design[shape_id].geometry
         chosen = lines.get(shape_id, ())
         number = active.number if active is not None and active.shape == shape_id else None
         quiet = bool(selection) and shape_id not in selection.shapes
-        if isinstance(geometry, PlusSurface):
-            yield from control_plane_items(
+        if isinstance(geometry, PlusCurve):
+            yield from control_line_items(
                 geometry, camera, selected=chosen, active=number, quiet=quiet
             )
         else:
-            yield from control_line_items(
-                geometry, camera, selected=chosen, active=number, quiet=quiet
+            faces = faces_handled(design, shape_id, selection)
+            yield from control_plane_items(
+                geometry, camera, selected=chosen, active=number, quiet=quiet, faces=faces
             )
 
 

@@ -105,7 +105,8 @@ def _place_under(at: Pointer, stage: Stage) -> Place | None:
         point = stage.design.curve(hit.shape).at([hit.u])
         text = f"u {number(hit.u, 3)}"
         return Place(InsertLine(hit.shape, hit.u), (ring(point),), HINT, text)
-    for hit in surfaces_under(at.at, stage)[:1]:
+    found = surfaces_under(at.at, stage)[:1]
+    for hit in (hit for hit in found if hit.kind == "surface"):
         way: Way = "v" if Held.SHIFT in at.held else "u"
         value = hit.v if way == "v" else hit.u
         marks = tuple(_line_of(stage.design.surface(hit.shape), way, value))

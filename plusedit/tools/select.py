@@ -42,7 +42,11 @@ HINTS = {
     "curve": "Drag to move the shape · click selects, Shift adds · double-click: all its lines",
     "surface": "Drag to move the shape · click selects, Shift adds · "
     "double-click: all its planes, or the row or column of a net edge",
-    "mesh": "Drag to move the shape · click selects, Shift adds",
+    "mesh": "Drag to move the shape · click selects, Shift adds · double-click: the face there",
+    "face": "Click selects this control plane, Shift adds · drag moves the shape · "
+    "Shift or Ctrl + drag selects by a box · Esc: the shape",
+    "held": "Drag to move the control plane · click selects, Shift takes out · "
+    "Shift or Ctrl + drag selects by a box · Esc: the shape",
     "arrow": "Drag to move along this axis · Ctrl snaps to the grid · type a distance",
     "ring": "Drag to turn the plane about this axis · Ctrl snaps to 15° · Shift is slow · "
     "type degrees",
@@ -71,6 +75,8 @@ class Select:
             return box_drag(start, stage)
         if hit.kind in ("arrow", "ring"):
             return gizmo_drag(hit, start, stage)
+        if hit.kind == "face" and not _is_held(hit, start, stage):
+            return _drag_beside(hit, start, stage)
         if hit.line is None:
             return _shape_drag(hit, start, stage)
         selection = stage.selection
@@ -90,21 +96,23 @@ class Select:
             return _below(at, stage)
         hit = under(at.at, stage)
         if hit is not None:
-            return _taken(hit, stage, adding=Held.SHIFT in at.held)
+            return _taken(hit, stage, adding=_adds(hit, at))
         if Held.SHIFT in at.held or under(at.at, stage, EMPTY) is not None:
             return None
         return NOTHING_SELECTED
 
     def double_click(self, at: Pointer, stage: Stage) -> Outcome:
-        """On a grip: back to automatic. On the edge of a net: its row. On a shape: all of it.
+        """On a grip: back to automatic. On the edge of a net: its row. On a mesh: the face there.
 
-        Elsewhere it is a press.
+        On another shape: all of it. Elsewhere it is a press.
         """
         hit = under(at.at, stage)
         if hit is not None and hit.kind == "grip":
-            side = side_of(stage.design.plus(hit.shape), hit.side)
+            side = side_of(stage.design[hit.shape].geometry, hit.side)
             return ResetDirections({hit.shape: (hit.number,)}, side)
-        if hit is not None and hit.kind in ("dot", "arrow", "ring", "mesh"):
+        if hit is not None and hit.kind == "mesh" and hit.number >= 0:
+            return Selection.of_lines([LineId(hit.shape, hit.number)])
+        if hit is not None and hit.kind in ("dot", "arrow", "ring", "mesh", "face"):
             return None
         edge = edge_under(at.at, stage) if hit is None or hit.kind == "surface" else None
         if edge is not None:
@@ -124,16 +132,18 @@ class Select:
             in_plane = isinstance(stage.camera, PlaneCamera)
             return Feedback(hint=HINTS[""] if in_plane else SPACE_HINT)
         # The planes along which u runs are those of one node by v.
-        hint = HINTS[hit.kind].format(row="row" if hit.axis else "column")
+        kind = "held" if hit.kind == "face" and hit.line in stage.selection.lines else hit.kind
+        hint = HINTS[kind].format(row="row" if hit.axis else "column")
         return Feedback(tuple(highlight(hit, stage)), hint, cursor=CURSORS.get(hit.kind, "move"))
 
     def keys(self, stage: Stage) -> frozenset[str]:
-        """None of its own."""
-        return frozenset()
+        """Escape, where faces of a mesh are selected."""
+        meshes = [i for i in stage.selection.by_shape() if stage.design[i].mesh is not None]
+        return frozenset({"Escape"} if meshes else ())
 
     def key(self, key: str, stage: Stage) -> Outcome:
-        """Never called."""
-        return None
+        """The shapes that are selected, none of their faces any more."""
+        return Selection.of_shapes(stage.selection.shapes)
 
     def reset(self) -> None:
         """Nothing is remembered between gestures."""
@@ -189,6 +199,28 @@ def _shape_drag(hit: Hit, start: Pointer, stage: Stage) -> Drag:
     return move_drag(start, stage, targets, LineId(hit.shape, nearest), selection)
 
 
+def _is_held(hit: Hit, start: Pointer, stage: Stage) -> bool:
+    """Whether a drag moves the face that was pressed on: it is selected, and no key is held."""
+    return hit.line in stage.selection.lines and not _boxes(start)
+
+
+def _boxes(start: Pointer) -> bool:
+    """Whether a drag that begins on the surface of a selected mesh is a box."""
+    return bool(start.held & (Held.SHIFT | Held.CTRL))
+
+
+def _drag_beside(hit: Hit, start: Pointer, stage: Stage) -> Drag:
+    """On faces that are not selected: a box, or all of the mesh. Views of a plane see through."""
+    if _boxes(start) or isinstance(stage.camera, PlaneCamera):
+        return box_drag(start, stage)
+    return _shape_drag(hit, start, stage)
+
+
+def _adds(hit: Hit, at: Pointer) -> bool:
+    """Whether a click adds to the selection; to faces Ctrl does so too, as there are many."""
+    return Held.SHIFT in at.held or (hit.kind == "face" and Held.CTRL in at.held)
+
+
 def _editable(selection: Selection, stage: Stage) -> Targets:
     """The selected lines and planes of shapes that can be edited."""
     return {i: rows for i, rows in selection.by_shape().items() if stage.design[i].editable}
@@ -229,5 +261,5 @@ def _below(at: Pointer, stage: Stage) -> Outcome:
 
 
 def _has_directions(line: LineId, stage: Stage) -> bool:
-    vectors = stage.design.plus(line.shape).vectors[:, line.number]
+    vectors = stage.design[line.shape].geometry.vectors[:, line.number]
     return bool(vectors.any(axis=1).all())

@@ -167,7 +167,7 @@ class SpaceCanvas(Editing[SpaceCamera], SpaceView):
     def _on_surface(self, at: QPointF) -> Floats | None:
         stage = self._gestures.stage()
         for hit in surfaces_under(np.array([at.x(), at.y()]), stage):
-            if hit.kind == "mesh":
+            if hit.kind != "surface":
                 return point_of(hit, np.array([at.x(), at.y()]), self.camera)
             surface = stage.design.surface(hit.shape)
             found: Floats = surface.derivatives_at([[hit.u, hit.v]], highest=0)[0][0]
@@ -201,7 +201,7 @@ class SpaceCanvas(Editing[SpaceCamera], SpaceView):
     def _is_free(self, event: QMouseEvent) -> bool:
         """Whether nothing lies there that Alt means something else for."""
         hit = under(pointer_of(event).at, self._gestures.stage())
-        return hit is None or hit.kind in ("surface", "mesh")
+        return hit is None or hit.kind in ("surface", "mesh", "face")
 
     def _follow(self, hold: str, by: QPointF, event: QMouseEvent) -> None:
         super()._follow("orbit" if hold in ("axes", "turn") else hold, by, event)

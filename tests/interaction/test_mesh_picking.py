@@ -17,7 +17,7 @@ from plusedit.tools.select import Select
 from tests.scene.meshes import HILL, a_hill, a_landscape
 
 ABOVE = SpaceCamera((800.0, 600.0), (0.5, 0.5, 0.2), 2.0, pitch=1.2)
-HILLSIDE = a_hill()
+HILLSIDE = a_hill(15)
 
 
 def a_stage(camera=ABOVE, **shape):
@@ -29,12 +29,12 @@ def a_stage(camera=ABOVE, **shape):
 @pytest.mark.parametrize("perspective", [True, False])
 def test_what_lies_under_a_pixel_is_the_face_and_place_that_is_drawn_there(perspective):
     camera = SpaceCamera((800.0, 600.0), (0.5, 0.5, 0.2), 2.0, pitch=1.2, perspective=perspective)
-    place = np.array([[0.3, 0.7]])
+    place = np.array([[0.31, 0.72]])
     at = camera.to_screen(HILLSIDE.at(place))[0]
     (hit,) = surfaces_under(at, a_stage(camera))
     first = mesh_crossings(at, HILLSIDE, camera)[0]
     assert_allclose((first.u, first.v), place[0], atol=5e-3)
-    assert first.face == 6 * 1 + 4
+    assert first.face == 15 * 4 + 10
     assert_allclose(point_of(hit, at, camera), HILLSIDE.at(place)[0], atol=5e-3)
 
 
