@@ -1,7 +1,8 @@
 """Makes the designs in the folder `examples`: run `python assets/make_examples.py`.
 
 Figures 1 to 6 of A. A. Goshtasby, Plus Curves and Surfaces, with control points of our own, and
-five drawings that show what control lines are good for. Those in space are in `surface_examples`.
+five drawings that show what control lines are good for. Those in space are in `surface_examples`
+and `mesh_examples`.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -9,6 +10,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+from mesh_examples import MESHES
 from numpy.typing import ArrayLike
 from surface_examples import SURFACES
 
@@ -322,7 +324,7 @@ def vase() -> Design:
 
 EXAMPLES: tuple[Callable[[], Design], ...] = (
     figure_1, figure_2, figure_3, figure_4, figure_5, figure_6,
-    clef, braid, windflower, rose, vase, *SURFACES,
+    clef, braid, windflower, rose, vase, *SURFACES, *MESHES,
 )  # fmt: skip
 
 

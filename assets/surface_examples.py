@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from plusedit.document.design import Design
-from plusedit.document.shape import Json, PlusGeometry, Shape, Style
+from plusedit.document.shape import Geometry, Json, Shape, Style
 from plusedit.geometry.arrays import Floats, unit
 from plusedit.geometry.bases.bernstein import Bernstein
 from plusedit.geometry.bases.bspline import BSpline
@@ -49,7 +49,7 @@ GLASS = (
     (0.5, 2.1), (1.25, 2.5), (1.2, 3.6), (0.95, 4.4),
 )  # fmt: skip
 
-Layer = tuple[str, PlusGeometry, Style]
+Layer = tuple[str, Geometry, Style]
 
 
 @dataclass(frozen=True)

@@ -11,6 +11,9 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from plusedit.geometry.frames import curvature
 from plusedit.geometry.making.lofting import section_parameters
+from plusedit.geometry.mesh.deviation import deviation
+from plusedit.geometry.mesh.flattening.distortion import flips
+from plusedit.geometry.mesh.mesh_surface import USUAL_SMOOTHNESS, MeshSurface
 from plusedit.geometry.surface import PlusSurface
 from plusedit.io.files import load
 from plusedit.resources import example_files
@@ -39,13 +42,18 @@ def inflections(curve):
 
 
 def alike(old, new):
-    """Whether two JSON trees agree but for the rounding of numbers."""
+    """Whether two JSON trees agree but for the rounding of numbers.
+
+    Many are kept with few digits: where machines differ in the last bit, rounding may change the
+    last digit that is kept.
+    """
     if isinstance(old, dict):
         return old.keys() == new.keys() and all(alike(old[key], new[key]) for key in old)
     if isinstance(old, list):
         return len(old) == len(new) and all(map(alike, old, new))
     if isinstance(old, float):
-        return new == pytest.approx(old, rel=1e-9, abs=1e-9)
+        last = 10.0 ** -len(repr(old).partition(".")[2])
+        return abs(new - old) <= max(1e-9, 1e-9 * abs(old), 1.01 * min(last, 1e-3))
     return old == new
 
 
@@ -163,13 +171,15 @@ def test_an_example_in_space_is_in_full_view(path):
     design, size = load(path).design, (1200.0, 800.0)
     camera = space_camera_of(design.view, size)
     assert panes_of(design.view) == "3d"
-    for _, geometry in design.drawn():
+    for geometry in (shape.geometry for shape in design.shapes.values()):
         seen = camera.to_screen(points_of(geometry))
         assert (seen > 0.0).all() and (seen < size).all()
 
 
 def points_of(geometry):
     """Points of a curve or surface."""
+    if isinstance(geometry, MeshSurface):
+        return geometry.at(geometry.vertex_places)
     t = np.linspace(0.0, 1.0, 21)
     points = geometry.at(t, t) if isinstance(geometry, PlusSurface) else geometry.at(t)
     return points.reshape(-1, geometry.dimension)
@@ -229,3 +239,58 @@ def test_the_goblet_is_round():
     t = np.linspace(0.0, 1.0, 21)
     radius = np.hypot(*surfaces("goblet")["goblet"].at(t, t)[..., :2].T)
     assert_allclose(radius, np.broadcast_to(radius[:, :1], radius.shape), rtol=1e-12)
+
+
+# Of meshes
+
+
+def meshes(name):
+    """The surfaces of meshes of an example by the names of its shapes."""
+    return {key: shape.mesh for key, shape in spatial(name).items() if shape.mesh}
+
+
+MESHES = ("canyon", "rabbit", "knee", "figure_8")
+
+
+@pytest.mark.parametrize("name", MESHES)
+def test_the_meshes_are_whole_and_of_quads(name):
+    found = meshes(name)
+    assert found
+    for surface in found.values():
+        (component,) = surface.mesh.topology.components
+        is_land = surface.domain.kind == "plane"
+        assert (component.boundaries, component.handles) == ((1, 0) if is_land else (0, 0))
+        assert set(surface.mesh.sizes.tolist()) == {4}
+        assert flips(surface.mesh, surface.parameters) == 0
+
+
+@pytest.mark.parametrize("name", MESHES)
+def test_the_meshes_load_quickly(name):
+    assert sum(surface.mesh.face_count for surface in meshes(name).values()) < 12_000
+
+
+@pytest.mark.parametrize("name", ["rabbit", "knee"])
+def test_the_surface_of_a_body_keeps_close_to_its_mesh(name):
+    for surface in meshes(name).values():
+        assert surface.smoothness == USUAL_SMOOTHNESS
+        assert deviation(surface).to_surface.rms < 0.003 * surface.mesh.diagonal
+
+
+def test_the_canyon_is_cut_deep_and_drains():
+    mesh = meshes("canyon")["canyon"].mesh
+    x, y, z = mesh.vertices.T
+    lowest = z.argmin()
+    assert x[lowest] == x.max()
+    plateau = np.quantile(z, 0.9)
+    assert plateau - z.min() > 0.7 * np.ptp(z)
+    rows = z.reshape(len(np.unique(x)), len(np.unique(y)))
+    assert (rows.min(axis=1) < plateau - 0.1 * np.ptp(z)).all()
+
+
+def test_figure_8_shows_every_mesh_at_two_levels():
+    panels = list(meshes("figure_8").values())
+    for detailed, smooth in zip(panels[:3], panels[3:], strict=True):
+        assert detailed.smoothness < smooth.smoothness
+        assert_array_equal(detailed.mesh.corners, smooth.mesh.corners)
+        ahead = [each.mesh.vertices - each.mesh.vertices[0] for each in (detailed, smooth)]
+        assert_allclose(*ahead, atol=3e-4)

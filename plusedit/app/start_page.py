@@ -34,7 +34,7 @@ IDEA = (
     "Each control line has a point that pulls the curve and a direction that steers it. "
     "The magnitude s says how much the directions count: at 0 it is the classical Bézier or "
     "B-spline curve, near ½ L it comes closest to its points. "
-    "A plus surface blends planes in the same way."
+    "A plus surface blends planes in the same way, also those of the faces of a polygon mesh."
 )
 
 
@@ -89,19 +89,26 @@ def words_of(path: Path) -> str:
     return stem[:1].upper() + stem[1:]
 
 
-SURFACE = b'"kind": "surface"'  # in a file that has one
+SURFACE, MESH = b'"kind": "surface"', b'"kind": "mesh"'  # in a file that has one
 
 
 def sections() -> Iterator[tuple[str, list[Path]]]:
-    """The shipped designs: those with surfaces, of curves alone, and the figures of the paper."""
-    found: dict[str, list[Path]] = {"Surfaces": [], "Curves": [], "Figures of the paper": []}
+    """The shipped designs by what they are made of, and the figures of the paper."""
+    found: dict[str, list[Path]] = {
+        name: [] for name in ("Surfaces", "Meshes", "Curves", "Figures of the paper")
+    }
     for path in example_files():
-        if path.name.startswith("figure"):
-            found["Figures of the paper"].append(path)
-        else:
-            has_surface = SURFACE in path.read_bytes()
-            found["Surfaces" if has_surface else "Curves"].append(path)
+        found[_section(path)].append(path)
     yield from ((name, paths) for name, paths in found.items() if paths)
+
+
+def _section(path: Path) -> str:
+    if path.name.startswith("figure"):
+        return "Figures of the paper"
+    data = path.read_bytes()
+    if MESH in data:
+        return "Meshes"
+    return "Surfaces" if SURFACE in data else "Curves"
 
 
 class StartPage(QScrollArea):

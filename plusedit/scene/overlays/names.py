@@ -7,12 +7,13 @@ import numpy as np
 from plusedit.document.shape import Shape
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.curve import PlusCurve
+from plusedit.geometry.mesh.mesh_surface import MeshSurface
 from plusedit.geometry.surface import PlusSurface
 from plusedit.scene.camera import Camera
 from plusedit.scene.drawn import drawn
 from plusedit.scene.drawn_surface import surface_grids
 from plusedit.scene.items import Item, Label
-from plusedit.scene.overlays import overlay
+from plusedit.scene.overlays import Seen, overlay
 
 BELOW = 26.0  # pixels from the lowest point to the base line
 
@@ -20,16 +21,24 @@ names = overlay("names", title="Names", order=60, shortcut="Shift+T")
 
 
 @names.of_curves
-def curve_name(shape: Shape, curve: PlusCurve, camera: Camera) -> Iterator[Item]:
+def curve_name(shape: Shape, curve: PlusCurve, seen: Seen) -> Iterator[Item]:
     """The name, centred under the curve and its control points."""
-    yield _caption(shape.name, np.vstack([drawn(curve, camera).points, curve.lines.points]), camera)
+    yield _caption(
+        shape.name, np.vstack([drawn(curve, seen.camera).points, curve.lines.points]), seen.camera
+    )
 
 
 @names.of_surfaces
-def surface_name(shape: Shape, surface: PlusSurface, camera: Camera) -> Iterator[Item]:
+def surface_name(shape: Shape, surface: PlusSurface, seen: Seen) -> Iterator[Item]:
     """The name, centred under the surface and its control points."""
-    points = surface.sample(*surface_grids(surface, camera)).reshape(-1, 3)
-    yield _caption(shape.name, np.vstack([points, surface.planes.control_points]), camera)
+    points = surface.sample(*surface_grids(surface, seen.camera)).reshape(-1, 3)
+    yield _caption(shape.name, np.vstack([points, surface.planes.control_points]), seen.camera)
+
+
+@names.of_meshes
+def mesh_name(shape: Shape, surface: MeshSurface, seen: Seen) -> Iterator[Item]:
+    """The name, centred under the mesh, which its surface keeps close to at any S."""
+    yield _caption(shape.name, surface.mesh.vertices, seen.camera)
 
 
 def _caption(name: str, points: Floats, camera: Camera) -> Label:
