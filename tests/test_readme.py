@@ -39,9 +39,9 @@ assert after.curve("a").directions[1].tolist() == [-1, 0]
 from plusedit.document.shape import Shape
 from plusedit.geometry import Bernstein, ControlLines, PlusCurve
 from plusedit.scene.camera import PlaneCamera
-from plusedit.scene.overlays import overlays
+from plusedit.scene.overlays import Seen, overlays
 curve = PlusCurve(Bernstein(2), ControlLines.of([[0, 0], [1, 0]]), s=0.0)
-(item,) = overlays["steps"].draw(Shape(curve, "a"), curve, PlaneCamera((400, 400)))
+(item,) = overlays["steps"].draw(Shape(curve, "a"), curve, Seen(PlaneCamera((400, 400))))
 assert len(item.points) == 21
 """,
     "formats": """

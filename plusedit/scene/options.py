@@ -1,8 +1,9 @@
 """What a view shows: overlays switched on, whose control lines, and how a design keeps that."""
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from math import isfinite, pi
+from types import MappingProxyType
 from typing import Literal, TypeAlias, cast, get_args
 
 from plusedit.document.shape import Json, Tree
@@ -17,6 +18,7 @@ Shading: TypeAlias = Literal["studio", "matcap"]
 ShownPanes: TypeAlias = Literal["2d", "3d", "both"]
 
 SWITCHES = ("grid", "rulers", "snap", "ground", "isolines", "wire", "facets", "front_only")
+NO_SETTINGS: Mapping[str, float] = MappingProxyType({})
 FAR = 1e100  # coordinates beyond that, no view is centred on
 
 
@@ -44,6 +46,12 @@ class ViewOptions:
     """whether handles that a surface hides can't be picked"""
     shading: Shading = "studio"
     """how light falls on surfaces"""
+    settings: Mapping[str, float] = field(default_factory=lambda: NO_SETTINGS)
+    """numbers of overlays that are not as usual, by "overlay.setting" """
+
+    def with_setting(self, name: str, value: float) -> "ViewOptions":
+        """With another number of an overlay, by "overlay.setting"."""
+        return replace(self, settings=MappingProxyType({**self.settings, name: value}))
 
     def with_overlay(self, name: str, is_on: bool) -> "ViewOptions":
         """With that overlay switched on or off; only one of those that color surfaces is on."""
@@ -60,6 +68,7 @@ def options_of(view: Tree) -> ViewOptions:
         frozenset(_texts(overlays)) if isinstance(overlays, list) else USUAL.overlays,
         cast(Handles, handles) if handles in get_args(Handles) else USUAL.handles,
         shading=cast(Shading, shading) if shading in get_args(Shading) else USUAL.shading,
+        settings=_settings(view.get("overlay_settings")),
         **{name: _switch(view, name) for name in SWITCHES},
     )
 
@@ -77,7 +86,7 @@ def view_tree(
     Only what is not as usual is said; keys that this program does not know stay, and so do the
     camera of the 3D view and the panes where none are given.
     """
-    known = {"overlays", "handles", "shading", "camera", *SWITCHES}
+    known = {"overlays", "overlay_settings", "handles", "shading", "camera", *SWITCHES}
     known |= {name for name, given in (("camera_3d", camera_3d), ("panes", panes)) if given}
     tree: dict[str, Json] = {key: value for key, value in old.items() if key not in known}
     if options.overlays != USUAL.overlays:
@@ -85,6 +94,8 @@ def view_tree(
     for name in ("handles", "shading", *SWITCHES):
         if getattr(options, name) != getattr(USUAL, name):
             tree[name] = getattr(options, name)
+    if options.settings:
+        tree["overlay_settings"] = dict(options.settings)
     if camera is not None:
         tree["camera"] = {
             "center": list(camera.center),
@@ -149,6 +160,13 @@ def _switch(view: Tree, name: str) -> bool:
     value = view.get(name)
     usual: bool = getattr(USUAL, name)
     return value if isinstance(value, bool) else usual
+
+
+def _settings(kept: Json) -> Mapping[str, float]:
+    if not isinstance(kept, Mapping):
+        return NO_SETTINGS
+    numbers = {name: _number(value) for name, value in kept.items()}
+    return MappingProxyType({name: n for name, n in numbers.items() if n is not None and n > 0.0})
 
 
 def _texts(values: Iterable[Json]) -> Iterable[str]:

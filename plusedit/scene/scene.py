@@ -22,9 +22,9 @@ from plusedit.scene.mesh_shapes import mesh_items_in_plane
 from plusedit.scene.options import ViewOptions
 from plusedit.scene.shapes import (
     curve_items,
+    design_overlay_items,
     handle_items,
     is_finite,
-    mesh_overlay_items,
     overlay_items,
     shown_meshes,
     shown_shapes,
@@ -62,7 +62,9 @@ def scene_items(
     """
     shown, meshes = shown_shapes(design, only), shown_meshes(design, only)
     overlays = chain(
-        overlay_items(shown, camera, options), mesh_overlay_items(meshes, camera, options)
+        design_overlay_items(design, camera, options, selection) if only is None else (),
+        overlay_items(shown, camera, options, selection),
+        overlay_items(meshes, camera, options, selection),
     )
     shapes = (
         item

@@ -1,12 +1,12 @@
 """What curves, surfaces and their handles look like, in the plane and in space."""
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 from typing import TypeAlias
 
 import numpy as np
 
 from plusedit.document.design import Design
-from plusedit.document.selection import Selection
+from plusedit.document.selection import NOTHING_SELECTED, Selection
 from plusedit.document.shape import PlusGeometry, Shape, ShapeId
 from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.mesh.mesh_surface import MeshSurface
@@ -20,9 +20,9 @@ from plusedit.scene.drawn_surface import Grids
 from plusedit.scene.face_outlines import face_items
 from plusedit.scene.handles import faces_handled, handle_shapes
 from plusedit.scene.isolines import isoline_items, isolines
-from plusedit.scene.items import Item, Label, Mesh, Patch, Polyline, Segments
+from plusedit.scene.items import Item, Label, Legend, Mesh, Patch, Polyline, Segments
 from plusedit.scene.options import ViewOptions
-from plusedit.scene.overlays import in_order
+from plusedit.scene.overlays import Seen, in_order
 from plusedit.scene.silhouettes import silhouette
 
 WIDTH = 2.0  # of a curve whose style says nothing
@@ -58,22 +58,30 @@ def shown_meshes(design: Design, only: Collection[ShapeId] | None = None) -> lis
     ]
 
 
-def overlay_items(shown: list[Shown], camera: Camera, options: ViewOptions) -> Iterator[Item]:
-    """What the overlays that are switched on draw about those shapes."""
-    for entry in in_order():
-        if entry.name in options.overlays:
-            for _, shape, geometry in shown:
-                yield from entry.draw(shape, geometry, camera)
-
-
-def mesh_overlay_items(
-    shown: list[ShownMesh], camera: Camera, options: ViewOptions
+def overlay_items(
+    shown: Sequence[Shown | ShownMesh],
+    camera: Camera,
+    options: ViewOptions,
+    selection: Selection = NOTHING_SELECTED,
 ) -> Iterator[Item]:
-    """The same about those surfaces of meshes."""
+    """What the overlays that are switched on draw about those shapes."""
+    lines = selection.by_shape()
     for entry in in_order():
         if entry.name in options.overlays:
-            for _, shape, surface in shown:
-                yield from entry.draw(shape, surface, camera)
+            numbers = entry.numbers(options.settings)
+            for shape_id, shape, geometry in shown:
+                seen = Seen(camera, lines.get(shape_id, ()), numbers)
+                yield from entry.draw(shape, geometry, seen)
+
+
+def design_overlay_items(
+    design: Design, camera: Camera, options: ViewOptions, selection: Selection
+) -> Iterator[Item]:
+    """What they draw about the design as a whole."""
+    for entry in in_order():
+        if entry.name in options.overlays:
+            seen = Seen(camera, settings=entry.numbers(options.settings))
+            yield from entry.draw_design(design, selection.shapes, seen)
 
 
 def curve_items(
@@ -155,7 +163,7 @@ def is_finite(item: Item) -> bool:
             return bool(np.isfinite(starts).all() and np.isfinite(ends).all())
         case Label(at):
             return bool(np.isfinite(at).all())
-        case Patch():
+        case Patch() | Legend():
             return True
         case Mesh(points, _, normals):
             # Areas and squares of what is huge are beyond a double before the points are.

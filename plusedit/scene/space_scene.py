@@ -38,9 +38,9 @@ from plusedit.scene.options import ViewOptions
 from plusedit.scene.shapes import (
     DIM,
     curve_items,
+    design_overlay_items,
     handle_items,
     is_finite,
-    mesh_overlay_items,
     overlay_items,
     shown_meshes,
     shown_shapes,
@@ -97,8 +97,9 @@ def space_items(
     with np.errstate(all="ignore"):
         tints = _tints(design, camera, options, draft=draft, wait=wait, only=only)
         overlays = chain(
-            overlay_items(shown, camera, options),
-            mesh_overlay_items(shown_meshes(design, only), camera, options),
+            design_overlay_items(design, camera, options, selection) if only is None else (),
+            overlay_items(shown, camera, options, selection),
+            overlay_items(shown_meshes(design, only), camera, options, selection),
         )
         shapes = (
             item

@@ -13,7 +13,7 @@ from plusedit.geometry.lines import ControlLines
 from plusedit.scene.camera import AXES, PlaneCamera
 from plusedit.scene.drawn_mesh import drawing_of
 from plusedit.scene.items import Label, Markers, Mesh, Patch, Polygon, Polyline, Segments
-from plusedit.scene.overlays import Coloring, in_order, overlays
+from plusedit.scene.overlays import Coloring, Seen, in_order, overlays
 from plusedit.scene.space_camera import SpaceCamera
 from plusedit.scene.theme import THEMES
 from tests.designs import bits
@@ -38,7 +38,9 @@ IN_SPACE = SpaceCamera((800.0, 600.0), height=3.0)
 
 
 def drawn(name, geometry, camera=CAMERA):
-    return list(overlays[name].draw(Shape(geometry, "Bow & arrow"), geometry, camera))
+    entry = overlays[name]
+    seen = Seen(camera, (0, 1), entry.numbers({}))
+    return list(entry.draw(Shape(geometry, "Bow & arrow"), geometry, seen))
 
 
 def cameras():

@@ -13,14 +13,14 @@ from plusedit.geometry.hulls import convex_hull
 from plusedit.geometry.lines import ControlLines
 from plusedit.scene.camera import PlaneCamera
 from plusedit.scene.items import Label, Markers, Polygon, Polyline
-from plusedit.scene.overlays import overlays
+from plusedit.scene.overlays import Seen, overlays
 from tests.geometry.curves import random_curve
 
 CAMERA = PlaneCamera((800.0, 600.0), scale=200.0)
 
 
 def drawn(name, curve, kind):
-    items = overlays[name].draw(Shape(curve, "(a)"), curve, CAMERA)
+    items = overlays[name].draw(Shape(curve, "(a)"), curve, Seen(CAMERA))
     return [item for item in items if isinstance(item, kind)]
 
 

@@ -1,18 +1,22 @@
 """The shelf of overlays: what can be drawn about a shape besides the shape itself.
 
 An overlay is an entry and a function for each kind of shape that it can be drawn of, from the
-shape's geometry and a camera of the plane or of space to items:
+shape's geometry and what is known of the view, a camera of the plane or of space first of all, to
+items:
 
     nodes = overlay("nodes", title="Nodes", order=50, shortcut="Shift+N")
 
     @nodes.of_curves
-    def curve_nodes(shape: Shape, curve: PlusCurve, camera: Camera) -> Iterator[Item]: ...
+    def curve_nodes(shape: Shape, curve: PlusCurve, seen: Seen) -> Iterator[Item]: ...
 
     @nodes.of_surfaces
-    def surface_nodes(shape: Shape, surface: PlusSurface, camera: Camera) -> Iterator[Item]: ...
+    def surface_nodes(shape: Shape, surface: PlusSurface, seen: Seen) -> Iterator[Item]: ...
 
 They are asked for every visible shape of a design while the overlay is switched on. What they
-draw lies below the curves in the plane; in space depth decides.
+draw lies below the curves in the plane; in space depth decides. One that compares shapes is asked
+once, for all of a design (`of_designs`); what goes with the pointer is asked for the point of a
+shape that is under it (`under_pointer`), and drawn in front. Numbers that a person may change, such
+as the scale of a comb, are settings of the overlay.
 
 An overlay can color surfaces in space instead, by values at the points that are drawn:
 
@@ -29,11 +33,12 @@ they may take their time; values that are not numbers are gray. All surfaces tha
 scale, with a legend in a corner. Only one overlay colors surfaces at a time.
 """
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
 
-from plusedit.document.shape import Geometry, Shape
+from plusedit.document.design import Design
+from plusedit.document.shape import Geometry, Shape, ShapeId
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.mesh.mesh_surface import MeshSurface
@@ -45,9 +50,35 @@ from plusedit.scene.items import Item
 from plusedit.scene.mesh_drawing import MeshDrawing
 
 Taken: TypeAlias = Literal["curve", "surface", "mesh"]
-DrawCurve: TypeAlias = Callable[[Shape, PlusCurve, Camera], Iterable[Item]]
-DrawSurface: TypeAlias = Callable[[Shape, PlusSurface, Camera], Iterable[Item]]
-DrawMesh: TypeAlias = Callable[[Shape, MeshSurface, Camera], Iterable[Item]]
+
+
+@dataclass(frozen=True)
+class Setting:
+    """A positive number that changes how an overlay is drawn; set by dragging, in even ratios."""
+
+    name: str
+    title: str
+    usual: float
+    least: float
+    most: float
+
+
+@dataclass(frozen=True, eq=False)
+class Seen:
+    """All that an overlay may know of the view that it is drawn in."""
+
+    camera: Camera
+    lines: tuple[int, ...] = ()
+    """the selected control lines or planes of the shape, rising"""
+    settings: Mapping[str, float] = field(default_factory=dict)
+    """the numbers of the overlay, each by its name"""
+
+
+DrawCurve: TypeAlias = Callable[[Shape, PlusCurve, Seen], Iterable[Item]]
+DrawSurface: TypeAlias = Callable[[Shape, PlusSurface, Seen], Iterable[Item]]
+DrawMesh: TypeAlias = Callable[[Shape, MeshSurface, Seen], Iterable[Item]]
+DrawDesign: TypeAlias = Callable[[Design, frozenset[ShapeId], Seen], Iterable[Item]]
+DrawPlace: TypeAlias = Callable[[Shape, Geometry, tuple[float, ...], Seen], Iterable[Item]]
 SurfaceValues: TypeAlias = Callable[[PlusSurface, Floats, Floats], Floats]
 MeshValues: TypeAlias = Callable[[MeshSurface, MeshDrawing], Floats]
 
@@ -80,6 +111,9 @@ class Overlay:
     shortcut: str
     """such as "Shift+H", or nothing"""
     coloring: Coloring = Coloring()
+    settings: tuple[Setting, ...] = ()
+    _of_designs: DrawDesign | None = field(default=None, init=False, repr=False)
+    _under_pointer: DrawPlace | None = field(default=None, init=False, repr=False)
     _of_curves: DrawCurve | None = field(default=None, init=False, repr=False)
     _of_surfaces: DrawSurface | None = field(default=None, init=False, repr=False)
     _of_meshes: DrawMesh | None = field(default=None, init=False, repr=False)
@@ -110,13 +144,38 @@ class Overlay:
         """(n,) what a surface is colored by at the points that are drawn; None if by nothing."""
         return None if self._mesh_values is None else self._mesh_values(surface, drawing)
 
-    def draw(self, shape: Shape, geometry: Geometry, camera: Camera) -> Iterable[Item]:
+    def draw(self, shape: Shape, geometry: Geometry, seen: Seen) -> Iterable[Item]:
         """What is drawn of a shape; nothing of a kind that it does not take."""
         if isinstance(geometry, PlusCurve):
-            return self._of_curves(shape, geometry, camera) if self._of_curves else ()
+            return self._of_curves(shape, geometry, seen) if self._of_curves else ()
         if isinstance(geometry, MeshSurface):
-            return self._of_meshes(shape, geometry, camera) if self._of_meshes else ()
-        return self._of_surfaces(shape, geometry, camera) if self._of_surfaces else ()
+            return self._of_meshes(shape, geometry, seen) if self._of_meshes else ()
+        return self._of_surfaces(shape, geometry, seen) if self._of_surfaces else ()
+
+    def draw_design(self, design: Design, chosen: frozenset[ShapeId], seen: Seen) -> Iterable[Item]:
+        """What is drawn of a design as a whole, of which some shapes are selected."""
+        return () if self._of_designs is None else self._of_designs(design, chosen, seen)
+
+    def draw_place(
+        self, shape: Shape, geometry: Geometry, place: tuple[float, ...], seen: Seen
+    ) -> Iterable[Item]:
+        """What is drawn at the place of a shape that is under the pointer.
+
+        The place is (u,) of a curve, (u, v) of a surface.
+        """
+        if self._under_pointer is None:
+            return ()
+        return self._under_pointer(shape, geometry, place, seen)
+
+    def numbers(self, values: Mapping[str, float]) -> dict[str, float]:
+        """The settings, each by its name, from values by "overlay.setting"; else the usual."""
+        return {
+            setting.name: min(
+                max(values.get(f"{self.name}.{setting.name}", setting.usual), setting.least),
+                setting.most,
+            )
+            for setting in self.settings
+        }
 
     def of_curves(self, draw: DrawCurve) -> DrawCurve:
         """A decorator: draw curves like that."""
@@ -131,6 +190,16 @@ class Overlay:
     def of_meshes(self, draw: DrawMesh) -> DrawMesh:
         """A decorator: draw surfaces of meshes like that."""
         self._of_meshes = draw
+        return draw
+
+    def of_designs(self, draw: DrawDesign) -> DrawDesign:
+        """A decorator: draw all of a design like that, at once."""
+        self._of_designs = draw
+        return draw
+
+    def under_pointer(self, draw: DrawPlace) -> DrawPlace:
+        """A decorator: draw the place of a shape under the pointer like that."""
+        self._under_pointer = draw
         return draw
 
     def coloring_of_surfaces(self, values: SurfaceValues) -> SurfaceValues:
@@ -154,9 +223,10 @@ def overlay(
     order: int,
     shortcut: str = "",
     coloring: Coloring = Coloring(),
+    settings: tuple[Setting, ...] = (),
 ) -> Overlay:
     """A new entry on the shelf, which draws nothing yet."""
-    return overlays.register(name)(Overlay(name, title, order, shortcut, coloring))
+    return overlays.register(name)(Overlay(name, title, order, shortcut, coloring, settings))
 
 
 def in_order() -> list[Overlay]:

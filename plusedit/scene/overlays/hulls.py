@@ -19,28 +19,28 @@ from plusedit.scene.camera import Camera, PlaneCamera
 from plusedit.scene.drawn import drawn
 from plusedit.scene.hull_areas import hull_area, hull_of, kept_hull
 from plusedit.scene.items import Item, Polyline
-from plusedit.scene.overlays import overlay
+from plusedit.scene.overlays import Seen, overlay
 
 hulls = overlay("hulls", title="Convex hulls", order=10, shortcut="Shift+H")
 
 
 @hulls.of_curves
-def of_curve(shape: Shape, curve: PlusCurve, camera: Camera) -> Iterator[Item]:
+def of_curve(shape: Shape, curve: PlusCurve, seen: Seen) -> Iterator[Item]:
     """The hull of the union, the two hulls on it, the two curves on top."""
     if curve.closed:
-        yield from _spans(curve, camera)
+        yield from _spans(curve, seen.camera)
         return
     two = parents(curve)
     union = np.concatenate([parent.lines.points for parent in two])
-    yield from hull_of(curve, "union", union, camera, "union")
+    yield from hull_of(curve, "union", union, seen.camera, "union")
     for place, parent in enumerate(two):
-        yield from hull_of(curve, f"parent {place}", parent.lines.points, camera, "parent")
+        yield from hull_of(curve, f"parent {place}", parent.lines.points, seen.camera, "parent")
     for parent in two:
-        yield Polyline(drawn(parent, camera).points, "classical@70", 1.0)
+        yield Polyline(drawn(parent, seen.camera).points, "classical@70", 1.0)
 
 
 @hulls.of_surfaces
-def of_surface(shape: Shape, surface: PlusSurface, camera: Camera) -> Iterator[Item]:
+def of_surface(shape: Shape, surface: PlusSurface, seen: Seen) -> Iterator[Item]:
     """The hull of all four nets, and the four hulls in it; of a closed surface the first alone.
 
     Nothing for closed families that have no hull.
@@ -48,12 +48,12 @@ def of_surface(shape: Shape, surface: PlusSurface, camera: Camera) -> Iterator[I
     union = kept_hull(surface, "union", lambda: corner_hull(surface))
     if union is None:
         return
-    yield hull_area(union, camera, "union@60", "union")
+    yield hull_area(union, seen.camera, "union@60", "union")
     if any(surface.closed):
         return
     for place, net in enumerate(corner_nets(surface)):
         yield from hull_of(
-            surface, f"corner {place}", net.reshape(-1, 3), camera, "parent@35", "parent"
+            surface, f"corner {place}", net.reshape(-1, 3), seen.camera, "parent@35", "parent"
         )
 
 

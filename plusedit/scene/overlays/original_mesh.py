@@ -6,10 +6,9 @@ from weakref import WeakKeyDictionary
 from plusedit.document.shape import Shape
 from plusedit.geometry.mesh.mesh_surface import MeshSurface
 from plusedit.geometry.mesh.polygons import PolygonMesh
-from plusedit.scene.camera import Camera
 from plusedit.scene.drawn_mesh import polygon_edges
 from plusedit.scene.items import Item, Segments
-from plusedit.scene.overlays import overlay
+from plusedit.scene.overlays import Seen, overlay
 
 COLOR = "classical@60"
 
@@ -19,7 +18,7 @@ original_mesh = overlay("mesh", title="Original mesh", order=45, shortcut="Shift
 
 
 @original_mesh.of_meshes
-def mesh_edges(shape: Shape, surface: MeshSurface, camera: Camera) -> Iterator[Item]:
+def mesh_edges(shape: Shape, surface: MeshSurface, seen: Seen) -> Iterator[Item]:
     """Hairlines along the edges of all faces."""
     mesh = surface.mesh
     kept = _EDGES.get(mesh)

@@ -8,9 +8,8 @@ from plusedit.document.shape import Shape
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.surface import PlusSurface
-from plusedit.scene.camera import Camera
 from plusedit.scene.items import Item, Polyline
-from plusedit.scene.overlays import overlay
+from plusedit.scene.overlays import Seen, overlay
 
 HAIRLINE = "quiet@55"
 
@@ -18,13 +17,13 @@ polygon = overlay("polygon", title="Control polygon and net", order=30, shortcut
 
 
 @polygon.of_curves
-def control_polygon(shape: Shape, curve: PlusCurve, camera: Camera) -> Iterator[Item]:
+def control_polygon(shape: Shape, curve: PlusCurve, seen: Seen) -> Iterator[Item]:
     """A hairline, closed where the curve is."""
     yield Polyline(_joined(curve.lines.points, curve.closed), HAIRLINE, 1.0)
 
 
 @polygon.of_surfaces
-def control_net(shape: Shape, surface: PlusSurface, camera: Camera) -> Iterator[Item]:
+def control_net(shape: Shape, surface: PlusSurface, seen: Seen) -> Iterator[Item]:
     """A hairline along every row and column, closed where the surface is."""
     points, (closed_u, closed_v) = surface.planes.points, surface.closed
     for row in points:
