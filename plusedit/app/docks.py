@@ -1,5 +1,7 @@
 """The docks around the view, one for each panel on the shelf."""
 
+from itertools import pairwise
+
 from PySide6.QtCore import QByteArray, Qt
 from PySide6.QtWidgets import QDockWidget, QLabel, QMainWindow, QWidget
 
@@ -9,8 +11,9 @@ from plusedit.views.panels import panels
 AREAS = {
     "left": Qt.DockWidgetArea.LeftDockWidgetArea,
     "right": Qt.DockWidgetArea.RightDockWidgetArea,
+    "beside": Qt.DockWidgetArea.RightDockWidgetArea,
 }
-WIDTHS = {"left": 272, "right": 264}  # logical pixels at the first start
+WIDTHS = {"left": 272, "right": 264, "beside": 440}  # logical pixels at the first start
 HEIGHTS = {"outliner": 300, "lines_table": 300}
 STATE = 1  # version of the kept places of docks
 
@@ -23,6 +26,8 @@ class Docks:
         self.by_name: dict[str, QDockWidget] = {}
         self._put_away: list[QDockWidget] = []
         self._state: QByteArray | None = None
+        self._widths: dict[str, int] = {}
+        """of docks beside the views when they were hidden"""
         for name in sorted(panels, key=lambda name: panels[name].order):
             panel = panels[name]
             dock = QDockWidget(panel.title, window)
@@ -32,11 +37,31 @@ class Docks:
             dock.setWidget(panel.make(desk))
             window.addDockWidget(AREAS[panel.area], dock)
             self.by_name[name] = dock
+        self._put_beside()
+        for name, dock in self.by_name.items():
+            dock.setVisible(panels[name].is_shown)
         self._size()
 
     def widget(self, name: str) -> QWidget:
         """What is in a dock."""
         return self.by_name[name].widget()
+
+    def toggle(self, name: str) -> None:
+        """Show a dock, or hide it."""
+        dock = self.by_name[name]
+        if panels[name].area != "beside":
+            dock.setVisible(dock.isHidden())
+            return
+        others = [self.by_name[n] for n in self._of("right") if not self.by_name[n].isHidden()]
+        widths = [other.width() for other in others]
+        if not dock.isHidden():
+            self._widths[name] = dock.width()
+        dock.setVisible(dock.isHidden())
+        # Else what it takes or gives back would be the neighbors' and not the views'.
+        if not dock.isHidden():
+            others.append(dock)
+            widths.append(self._widths.get(name, WIDTHS["beside"]))
+        self._window.resizeDocks(others, widths, Qt.Orientation.Horizontal)
 
     def state(self) -> QByteArray:
         """Where docks and tool bars are, to be kept."""
@@ -62,9 +87,21 @@ class Docks:
             for dock in self._put_away:
                 dock.show()
 
+    def _of(self, area: str) -> list[str]:
+        """The panels there, in their order."""
+        return [name for name in self.by_name if panels[name].area == area]
+
+    def _put_beside(self) -> None:
+        """Those on the right below each other, on the right of those beside the views."""
+        inner, outer = ([self.by_name[n] for n in self._of(area)] for area in ("beside", "right"))
+        if inner and outer:
+            self._window.splitDockWidget(inner[0], outer[0], Qt.Orientation.Horizontal)
+            for above, below in pairwise(outer):
+                self._window.splitDockWidget(above, below, Qt.Orientation.Vertical)
+
     def _size(self) -> None:
         for side, width in WIDTHS.items():
-            docks = [self.by_name[n] for n in self.by_name if panels[n].area == side]
+            docks = [self.by_name[n] for n in self._of(side) if panels[n].is_shown]
             self._window.resizeDocks(docks, [width] * len(docks), Qt.Orientation.Horizontal)
         tall = [name for name in HEIGHTS if name in self.by_name]
         self._window.resizeDocks(

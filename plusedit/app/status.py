@@ -57,6 +57,8 @@ class Status(QStatusBar):
         self._desk, self._panes = desk, panes
         self._hint, self._said = "", ""
         self._at: Coordinates | None = None
+        self._read = "", ""
+        """what a panel says of the place under the pointer"""
         self.text = Elided()
         self.text.setAccessibleName("hint")
         self.place, self.bend = QLabel(), QLabel()
@@ -71,6 +73,8 @@ class Status(QStatusBar):
         desk.said.listen(self.say)
         desk.gestures.feedback.listen(self._told)
         desk.session.changed.listen(lambda *_: self._look_soon())
+        desk.pointed.listen(self._pointed)
+        desk.hinted.listen(lambda hint: self._told(Feedback(hint=hint)))
 
     def say(self, sentence: str) -> None:
         """Show a sentence in place of the hint for a moment."""
@@ -112,6 +116,11 @@ class Status(QStatusBar):
         timer.timeout.connect(act)
         return timer
 
+    def _pointed(self, place: str, found: str) -> None:
+        self._read = place, found
+        self._at = None
+        self._look_soon()
+
     def _told(self, feedback: Feedback) -> None:
         self._hint = feedback.hint
         if feedback.error:
@@ -131,8 +140,8 @@ class Status(QStatusBar):
 
     def _measure(self) -> None:
         if self._at is None:
-            self.place.setText("")
-            self.bend.setText("")
+            self.place.setText(self._read[0])
+            self.bend.setText(self._read[1])
             return
         self.place.setText("  ".join(f"{NAMES[axis]} {value:.3f}" for axis, value in self._at))
         found, view = self._probed(), self._panes.active

@@ -33,6 +33,7 @@ from plusedit.app.entries import all_entries
 from plusedit.app.files import Files
 from plusedit.app.flows import Flows, open_elsewhere
 from plusedit.app.notes_bar import NotesBar
+from plusedit.app.remapping import Remapping
 from plusedit.app.settings import Settings
 from plusedit.app.side_windows import SideWindows
 from plusedit.app.start_page import StartPage
@@ -46,6 +47,7 @@ from plusedit.views.desk import Desk
 from plusedit.views.fields import Field
 from plusedit.views.icons import refresh_icons
 from plusedit.views.magnitude_bar import MagnitudeBar
+from plusedit.views.panels import panels
 from plusedit.views.panes import Panes
 
 LONGEST = 48  # characters of what a menu says would be undone
@@ -72,6 +74,7 @@ class MainWindow(QMainWindow):
         self.autosave = Autosave(self.session, lambda: self.files.path, autosave_folder)
         self.flows = Flows(self.desk, self.files, self.autosave, self)
         self.clipboard = Clipboard(self.desk)
+        self.remapping = Remapping(self.desk, self)
         self.magnitude = MagnitudeBar(self.desk)
         self.side = SideWindows(self)
         self.notes, self.status = NotesBar(), Status(self.desk, self.panes)
@@ -118,8 +121,9 @@ class MainWindow(QMainWindow):
             Entry(
                 f"panel.{name}",
                 dock.windowTitle(),
-                "Window",
-                lambda dock=dock: dock.setVisible(dock.isHidden()),  # type: ignore[misc]
+                panels[name].menu,
+                lambda name=name: self.docks.toggle(name),  # type: ignore[misc]
+                (panels[name].shortcut,) if panels[name].shortcut else (),
                 checked=lambda dock=dock: not dock.isHidden(),  # type: ignore[misc]
             )
             for name, dock in self.docks.by_name.items()
@@ -149,7 +153,9 @@ class MainWindow(QMainWindow):
         self.panes.pointer_moved.connect(self.status.point_at)
         self.panes.pointer_left.connect(self.status.point_nowhere)
         self.panes.context_menu_requested.connect(self._show_context_menu)
-        self.panes.entered.listen(self._take_keys)
+        self.panes.entered.listen(lambda: self._give_keys(self.panes.active))
+        self.desk.entered.listen(self._give_keys)
+        self.panes.measuring.ready.listen(self.magnitude.smoothness.numbers.refresh)
         QGuiApplication.styleHints().colorSchemeChanged.connect(self._desktop_changed)
 
     def _restore(self) -> None:
@@ -249,13 +255,13 @@ class MainWindow(QMainWindow):
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         menu.popup(at)
 
-    def _take_keys(self) -> None:
+    def _give_keys(self, view: QWidget) -> None:
         """Keys go where the pointer is, unless something is being typed elsewhere."""
         focus = QApplication.focusWidget()
         is_done = isinstance(focus, Field) and focus.is_done
         is_typing = isinstance(focus, TYPED_INTO) and not is_done
         if focus is not None and focus.window() is self and not is_typing:
-            self.panes.active.setFocus(Qt.FocusReason.MouseFocusReason)
+            view.setFocus(Qt.FocusReason.MouseFocusReason)
 
     def _selected_kinds(self) -> list[str]:
         """What the context menu is to speak of; of curves where nothing is selected."""

@@ -85,6 +85,8 @@ class Remap(Command):
     """of the map, as on the shelf"""
     cone_points: tuple[int, ...] = ()
     """the vertices at the corners of a pillow, if a person chose them"""
+    made: tuple[MeshSurface, MeshSurface] | None = None
+    """a surface and what becomes of it, where that has been worked out already"""
 
     @property
     def label(self) -> str:
@@ -98,10 +100,14 @@ class Remap(Command):
         )
         if is_same and map_of(shape) == record:
             return design
-        try:
-            found = surface if is_same else remapped(surface, self.domain, self.parameters)
-        except ValueError as error:
-            raise EditError(f"{shape.name}: {error}") from error
+        found = surface
+        if self.made is not None and self.made[0] is surface:
+            found = self.made[1]
+        elif not is_same:
+            try:
+                found = remapped(surface, self.domain, self.parameters)
+            except ValueError as error:
+                raise EditError(f"{shape.name}: {error}") from error
         extra = with_map(shape.extra, record)
         return with_shapes(design, {self.shape_id: replace(shape, geometry=found, extra=extra)})
 

@@ -14,6 +14,7 @@ from types import MappingProxyType
 import numpy as np
 
 from plusedit.document.design import Design
+from plusedit.document.map_record import MapRecord, with_map
 from plusedit.document.shape import NOTHING, Shape, ShapeId, Tree
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.mesh.deviation import deviation
@@ -74,9 +75,16 @@ class Imported:
     @property
     def shapes(self) -> tuple[tuple[ShapeId, Shape], ...]:
         """A shape for each part, with its id."""
-        extra = MappingProxyType({"source": self.source}) if self.source else NOTHING
+        source: Tree = MappingProxyType({"source": self.source}) if self.source else NOTHING
         return tuple(
-            (ShapeId(f"mesh-{number}"), Shape(part.surface, part.name, extra=extra))
+            (
+                ShapeId(f"mesh-{number}"),
+                Shape(
+                    part.surface,
+                    part.name,
+                    extra=with_map(source, MapRecord(part.report.map_name)),
+                ),
+            )
             for number, part in enumerate(self.parts, 1)
         )
 

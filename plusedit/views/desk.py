@@ -2,7 +2,10 @@
 
 from collections.abc import Callable, Mapping
 
+from PySide6.QtWidgets import QWidget
+
 from plusedit.document.design import EditError
+from plusedit.document.map_record import MapRecord
 from plusedit.document.selection import Selection
 from plusedit.document.session import Edit, Session
 from plusedit.document.shape import PlusGeometry, ShapeId
@@ -21,6 +24,14 @@ class Desk:
         self.gestures = gestures
         self.said: Event[str] = Event()
         """a sentence for the status bar"""
+        self.pointed: Event[str, str] = Event()
+        """numbers of the place under the pointer, and of what is there, told by a panel"""
+        self.hinted: Event[str] = Event()
+        """what can be done where the pointer is, told by a panel"""
+        self.entered: Event[QWidget] = Event()
+        """the pointer came into a view of a panel, which takes keys"""
+        self.map_asked: Event[ShapeId, MapRecord] = Event()
+        """a mesh is to get the parameters of another map, which takes its time"""
         self.lengths = Lengths()
         self.theme: Theme = LIGHT
         self.theme_changed: Event[Theme] = Event()

@@ -4,7 +4,9 @@ from PySide6.QtWidgets import QCheckBox, QFormLayout, QLabel, QWidget
 
 from plusedit.commands.curves import SetMagnitude
 from plusedit.commands.meshes import SetAreaWeights, SetSmoothness
+from plusedit.document.map_record import map_of
 from plusedit.document.shape import ShapeId
+from plusedit.geometry.mesh.maps import maps
 from plusedit.geometry.mesh.mesh_surface import MeshSurface
 from plusedit.views.basis_form import row_label
 from plusedit.views.desk import Desk
@@ -24,7 +26,9 @@ class MeshForm(QWidget):
         self.weights = QCheckBox("Weigh faces by area")
         self.weights.clicked.connect(self._set_weights)
         self.counts = QLabel()
-        self.domain = QLabel()
+        self.map, self.domain = QLabel(), QLabel()
+        for label in (self.counts, self.map):
+            label.setWordWrap(True)
         form = QFormLayout(self)
         form.setContentsMargins(0, 0, 0, 0)
         form.setSpacing(4)
@@ -33,6 +37,7 @@ class MeshForm(QWidget):
         form.addRow(row_label("s"), self.magnitude)
         form.addRow(row_label(""), self.weights)
         form.addRow(row_label("Mesh"), self.counts)
+        form.addRow(row_label("Map"), self.map)
         form.addRow(row_label("Domain"), self.domain)
 
     def show_meshes(self, meshes: dict[ShapeId, MeshSurface]) -> None:
@@ -47,6 +52,14 @@ class MeshForm(QWidget):
         vertices = sum(mesh.mesh.vertex_count for mesh in surfaces)
         self.counts.setText(f"{faces:,} faces, {vertices:,} vertices")
         self.domain.setText(common(mesh.domain.kind for mesh in surfaces) or "mixed")
+        self.map.setText(common(map(self._map_of, meshes)) or "mixed")
+
+    def _map_of(self, shape_id: ShapeId) -> str:
+        """What the map of a mesh is called."""
+        record = map_of(self._desk.session.design[shape_id])
+        if record is None:
+            return "unknown"
+        return maps[record.name].title if record.name in maps else record.name
 
     def _set_smoothness(self, value: float) -> str:
         return self._desk.commit(SetSmoothness(dict.fromkeys(self._meshes, value)))

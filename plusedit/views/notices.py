@@ -14,18 +14,18 @@ OFF_POINTER = (18.0, 22.0)  # pixels from the pointer to its chip: clear of the 
 CORNER = 4.0  # pixels, the radius
 
 
-def paint_empty(painter: QPainter, view: QRectF, theme: Theme) -> None:
+def paint_empty(painter: QPainter, view: QRectF, theme: Theme, text: str = EMPTY) -> None:
     """What to do, in the middle of the view, on a ground of its own that covers the axes."""
     painter.setFont(font_of(14.0))
     flags = int(Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap)
-    box = painter.boundingRect(view.adjusted(40.0, 24.0, -40.0, -24.0), flags, EMPTY)
+    box = painter.boundingRect(view.adjusted(40.0, 24.0, -40.0, -24.0), flags, text)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     painter.setPen(Qt.PenStyle.NoPen)
     painter.setBrush(color_of(theme.color("canvas")))
     painter.drawRoundedRect(box.adjusted(-16.0, -10.0, 16.0, 10.0), 2.0 * CORNER, 2.0 * CORNER)
     painter.setBrush(Qt.BrushStyle.NoBrush)
     painter.setPen(color_of(theme.color("quiet")))
-    painter.drawText(box, flags, EMPTY)
+    painter.drawText(box, flags, text)
 
 
 def paint_note(painter: QPainter, view: QRectF, text: str, theme: Theme) -> None:

@@ -11,6 +11,7 @@ from plusedit.commands.lines import SetCoordinate
 from plusedit.commands.shapes import Rename
 from plusedit.interaction.tool import Pointer
 from plusedit.scene.theme import DARK, LIGHT
+from plusedit.views.panels import panels
 from tests.designs import WING, a_design
 from tests.gui.conftest import select_lines
 from tests.gui.finding import named
@@ -26,8 +27,8 @@ def filled(window):
 
 
 def test_every_panel_and_the_bar_of_s_are_in_sight(filled):
-    for dock in filled.docks.by_name.values():
-        assert dock.isVisible()
+    for name, dock in filled.docks.by_name.items():
+        assert dock.isVisible() == panels[name].is_shown
     assert filled.magnitude.isVisible()
     filled.resize(1100, 700)
     assert (filled.width(), filled.height()) == (1100, 700)
@@ -186,6 +187,7 @@ def test_the_places_of_docks_are_remembered(filled, settings, qtbot):
 
     filled.actions_table["panel.lines_table"].trigger()
     assert not filled.docks.by_name["lines_table"].isVisible()
+    filled.actions_table["panel.parameters"].trigger()
     filled.session.mark_saved()
     filled.close()
     again = MainWindow(settings)
@@ -195,6 +197,7 @@ def test_the_places_of_docks_are_remembered(filled, settings, qtbot):
     again.session.mark_saved()
     assert again.docks.by_name["lines_table"].isHidden()
     assert not again.docks.by_name["outliner"].isHidden()
+    assert not again.docks.by_name["parameters"].isHidden()
 
 
 def test_nonsense_in_the_settings_does_no_harm(settings, qtbot):

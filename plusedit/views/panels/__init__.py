@@ -2,12 +2,15 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, TypeAlias
 
 from PySide6.QtWidgets import QWidget
 
 from plusedit.registry import Registry
 from plusedit.views.desk import Desk
+
+Area: TypeAlias = Literal["left", "right", "beside"]
+"""Left or right of the views, or between the views and what is on the right."""
 
 
 @dataclass(frozen=True)
@@ -15,22 +18,34 @@ class Panel:
     """A dock: where it lies, and how to make what is in it."""
 
     title: str
-    area: Literal["left", "right"]
+    area: Area
     order: int
     """from top to bottom"""
     make: Callable[[Desk], QWidget]
+    menu: str = "Window"
+    """where the switch stands that shows and hides it"""
+    shortcut: str = ""
+    is_shown: bool = True
+    """whether it is there at the first start"""
 
 
 panels: Registry[Panel] = Registry("plusedit.views.panels")
 
 
 def panel(
-    name: str, *, title: str, area: Literal["left", "right"], order: int
+    name: str,
+    *,
+    title: str,
+    area: Area,
+    order: int,
+    menu: str = "Window",
+    shortcut: str = "",
+    is_shown: bool = True,
 ) -> Callable[[Callable[[Desk], QWidget]], Callable[[Desk], QWidget]]:
     """A decorator that puts a widget class, or a function that makes a widget, on the shelf."""
 
     def put(make: Callable[[Desk], QWidget]) -> Callable[[Desk], QWidget]:
-        panels.register(name)(Panel(title, area, order, make))
+        panels.register(name)(Panel(title, area, order, make, menu, shortcut, is_shown))
         return make
 
     return put
