@@ -73,7 +73,8 @@ def evaluate(
             limit = everywhere_below(near, boxes, largest, table, widths, stack, limit, origin)
         sums[:] = 0.0
         least[:] = np.inf
-        count = 0
+        # Not the literal, for which all that follows would be compiled once more.
+        count = min(0, leaves)
         for g in range(len(signs)):
             moved(box, shifts[g], signs[g], near)
             stack[0] = 1

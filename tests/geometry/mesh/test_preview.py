@@ -110,19 +110,49 @@ def test_a_height_field_gives_its_parameters_back_nearly(smoothness):
     assert_allclose(found[:, :2], surface.vertex_places, atol=NEAR)
 
 
-@pytest.mark.parametrize("options", [{"s": 0.0}, {"s": -1.5}, {"area_weights": True}], ids=str)
-def test_magnitude_and_area_weights_count(options):
-    for smoothness in (0.7, 4.0):
-        surface = limb(smoothness=smoothness, **options)
+def edited(surface):
+    """Four planes far off and turned."""
+    for face in (0, 10, 77, 100):
+        point = surface.planes.points[face] + 0.3 * surface.mesh.diagonal
+        turned = 3.0 * surface.planes.gradients_v[face]
+        surface = surface.with_plane(face, point=point, gradient_u=turned)
+    return surface
+
+
+def partly_smoother(surface):
+    return surface.with_factors(np.where(np.arange(surface.mesh.face_count) < 99, 4.0, 1.0))
+
+
+def randomly_smooth(surface):
+    count = surface.mesh.face_count
+    return surface.with_factors(4.0 ** np.random.default_rng(2).uniform(-1.0, 1.0, count))
+
+
+CHANGES = {
+    "none of the gradients": lambda surface: surface.with_s(0.0),
+    "turned gradients": lambda surface: surface.with_s(-1.5),
+    "three times the gradients": lambda surface: surface.with_s(3.0),
+    "area weights": lambda surface: replace(surface, area_weights=True),
+    "edited planes": edited,
+    "partly smoother": partly_smoother,
+    "randomly smooth": randomly_smooth,
+    "all at once": lambda surface: edited(randomly_smooth(replace(surface, area_weights=True))),
+}
+
+
+@pytest.mark.parametrize("kind", [terrain, limb, pillow], ids=lambda each: each.__name__)
+@pytest.mark.parametrize("change", CHANGES.values(), ids=list(CHANGES))
+def test_all_that_shapes_a_surface_counts(kind, change):
+    for smoothness in (0.5, 2.0, 4.0):
+        surface = change(kind(smoothness=smoothness))
         agrees(surface, np.random.default_rng(1).choice(surface.vertex_places, 300, axis=0))
 
 
-def test_edits_and_local_factors_count():
+def test_an_edit_is_undone_without_a_trace():
     surface = terrain(smoothness=2.0)
-    agrees(surface.with_plane(400, point=[0.5, 0.5, 1.0]), surface.vertex_places[:500])
-    factors = np.ones(surface.mesh.face_count)
-    factors[:2000] = 4.0
-    agrees(surface.with_factors(factors), surface.vertex_places[::20])
+    before = preview(surface, surface.vertex_places).points
+    preview(edited(surface), surface.vertex_places)
+    assert_array_equal(preview(surface, surface.vertex_places).points, before)
 
 
 @pytest.mark.parametrize("smoothness", [0.25, 0.7, 4.0])
