@@ -14,6 +14,7 @@ T = TypeVar("T")
 GLANCE = 5  # milliseconds between looks whether the work is done
 QUICK = 0.05  # seconds: what is done by then needs no event loop
 STEPS = 1000  # of a bar of progress
+WIDTH = 360  # logical pixels: words of different lengths don't move its sides
 SHOWN_AFTER = 250  # milliseconds until there is a dialog
 
 
@@ -90,6 +91,7 @@ def _wait(
 ) -> None:
     dialog = QProgressDialog(text, "Cancel", 0, 0 if progress is None else STEPS, parent)
     dialog.setAutoReset(False)
+    dialog.setMinimumWidth(WIDTH)
     dialog.setWindowTitle("PlusEdit")
     dialog.setWindowModality(Qt.WindowModality.WindowModal)
     dialog.setMinimumDuration(SHOWN_AFTER)

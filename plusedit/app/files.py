@@ -251,7 +251,9 @@ class Files:
         return recent[0] if recent else Path.home()
 
     def _suggested(self, suffix: str) -> Path:
-        return self.folder / f"{stem_of(self.name)}{suffix}"
+        path = self.folder / f"{stem_of(self.name)}{suffix}"
+        # What a mesh was read from is not what its surface is meant to be written over.
+        return path.with_stem(f"{path.stem} smooth") if path == self.path else path
 
 
 def keeps_all(path: Path) -> bool:

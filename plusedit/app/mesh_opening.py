@@ -9,7 +9,7 @@ from plusedit.commands.shapes import AddShapes, DeleteShapes, Reorder
 from plusedit.document.design import Design
 from plusedit.document.shape import Shape, ShapeId
 from plusedit.io.opening import is_mesh, mesh_suffixes
-from plusedit.scene.drawn_mesh import KEPT, MeshDrawing, evaluated, keep, net_of
+from plusedit.scene.drawn_mesh import KEPT, MeshDrawing, keep, previewed
 
 if TYPE_CHECKING:
     from plusedit.geometry.mesh.maps import Progress
@@ -66,10 +66,8 @@ def opened(path: Path, tell: "Progress", options: "ImportOptions | None" = None)
     # Worked out here and not in the window's thread, which draws them next.
     for number, part in enumerate(found.parts):
         tell(MADE + (1.0 - MADE) * number / len(found.parts), "Evaluating the surfaces")
-        net_of(part.surface)
         if number < min(AT_ONCE, KEPT):
-            drawings.append(evaluated(part.surface))
-            _ = drawings[-1].normals
+            drawings.append(previewed(part.surface))
     tell(1.0, "Done")
     return MeshReading(path, wished, found, tuple(drawings))
 
@@ -101,5 +99,5 @@ def read_again(design: Design, before: MeshReading, now: MeshReading) -> Togethe
 
 
 def told(report: "ImportReport") -> tuple[str, ...]:
-    """What is said at once: the notes, and where all the rest stands."""
-    return (f"{report.summary}; File > Mesh report has the numbers", *report.notes)
+    """What is said at once, beside the report with all the numbers."""
+    return (report.summary, *report.notes)

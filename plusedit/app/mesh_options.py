@@ -44,12 +44,12 @@ class MeshOptionsDialog(Question):
             self.map.addItem(title, key)
         self.smoothness = QLineEdit(written(options.smoothness, 6))
         self.refine = QCheckBox("Split large and thin faces")
-        self.area_weights = QCheckBox("Large faces count for more")
+        self.area_weights = QCheckBox("Weigh faces by area")
         self.measure = QCheckBox("Measure how far the surface is from the mesh")
         self.measure.setToolTip(
             "At once, while work goes on; else it is done when the report is opened"
         )
-        self.form.addRow("Parameters", self.map)
+        self.form.addRow("Map", self.map)
         self.form.addRow("Smoothness S", self.smoothness)
         self.form.addRow("", self.refine)
         self.form.addRow("", quiet(REFINING))

@@ -64,6 +64,7 @@ class SideWindows:
         if reading.options.measure:
             self.mesh_report.begin_soon()
         self._window.actions_table.refresh()
+        self._window.notes.offer("Report…", self.show_mesh_report)
         if self._shown_report is not None:
             self.show_mesh_report()
 

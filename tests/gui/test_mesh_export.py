@@ -119,6 +119,13 @@ def test_meshes_are_written_as_was_chosen_and_told(window, answers, tmp_path):
     assert np.isfinite(mesh.vertices).all()
 
 
+def test_the_mesh_that_was_opened_is_not_offered_to_be_written_over(window, answers, tmp_path):
+    window.files.show(DESIGN, tmp_path / "hill.obj")
+    for kind, name in (("obj", "hill smooth.obj"), ("ply", "hill.ply")):
+        window.flows.write_mesh(MeshExport(kind, Tolerance(1.0), False))
+        assert answers.suggested == tmp_path / name
+
+
 def test_an_export_that_is_given_up_leaves_no_file_and_no_error(
     window, answers, tmp_path, monkeypatch
 ):
