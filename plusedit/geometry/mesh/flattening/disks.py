@@ -14,12 +14,13 @@ from plusedit.geometry.arrays import Floats
 from plusedit.geometry.mesh.flattening.equations import Pins, solution
 from plusedit.geometry.mesh.flattening.sheet import Indices, Sheet
 from plusedit.geometry.mesh.flattening.weights import energies, mean_value_weights
+from plusedit.geometry.mesh.maps import Progress, share_of, silent
 
 CORNER = 0.75 * np.pi  # angles of a sheet at its border: less is a corner of it
 THINNEST = 1e-4  # of the ratios of a rectangle's sides
 
 
-def circle_places(sheet: Sheet, ring: Indices) -> Floats:
+def circle_places(sheet: Sheet, ring: Indices, progress: Progress = silent) -> Floats:
     """(t, 3, 2) parameters with a ring of border on the circle of diameter one."""
     vertices = sheet.tails[ring]
     lengths = sheet.lengths.reshape(-1)[ring]
@@ -29,11 +30,14 @@ def circle_places(sheet: Sheet, ring: Indices) -> Floats:
     steps = np.maximum(steps, 1e-9)
     angles = 2.0 * np.pi * (np.cumsum(steps) - steps) / steps.sum()
     rim = 0.5 + 0.5 * np.stack([np.cos(angles), np.sin(angles)], axis=1)
-    parameters = solution(sheet, mean_value_weights(sheet), Pins(vertices, rim))
+    weights = mean_value_weights(sheet)
+    parameters = solution(sheet, weights, Pins(vertices, rim), progress=progress)
     return parameters[sheet.triangles]
 
 
-def rectangle_places(sheet: Sheet, ring: Indices, corners: list[int]) -> Floats:
+def rectangle_places(
+    sheet: Sheet, ring: Indices, corners: list[int], progress: Progress = silent
+) -> Floats:
     """(t, 3, 2) parameters on a rectangle of width one.
 
     `corners` are the four places in the ring that go to its corners, ascending.
@@ -45,10 +49,11 @@ def rectangle_places(sheet: Sheet, ring: Indices, corners: list[int]) -> Floats:
     low, right, high, left = _sides(vertices, corners)
     weights = mean_value_weights(sheet)
     columns = []
-    for zero, one in ((left, right), (low, high)):
+    for zero, one, begin in ((left, right, 0.0), (low, high, 0.5)):
         values = np.concatenate([np.zeros(len(zero)), np.ones(len(one))])
         pins = Pins(np.concatenate([zero, one]), values[:, None])
-        columns.append(solution(sheet, weights, pins))
+        told = share_of(progress, begin, begin + 0.5)
+        columns.append(solution(sheet, weights, pins, progress=told))
     places = np.concatenate(columns, axis=1)[sheet.triangles]
     energy = energies(sheet, places)
     places[..., 1] *= np.clip(np.sqrt(energy[0, 0] / energy[1, 1]), THINNEST, 1.0 / THINNEST)

@@ -16,7 +16,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from plusedit.geometry.arrays import Floats
-from plusedit.geometry.mesh.flattening.sheet import Indices, Sheet
+from plusedit.geometry.mesh.flattening.dissection import elimination_places
+from plusedit.geometry.mesh.flattening.sheet import Flags, Indices, Sheet
+from plusedit.geometry.mesh.maps import Progress, silent
 from plusedit.geometry.mesh.polygons import Kind
 
 LEAST_SHARE = 1e-9  # of a vertex's weights: a neighbor that counts less would be lost in rounding
@@ -72,12 +74,19 @@ class _Terms(NamedTuple):
 
 
 def solution(
-    sheet: Sheet, weights: Floats, pins: Pins, chart: Chart | None = None, column: int | None = None
+    sheet: Sheet,
+    weights: Floats,
+    pins: Pins,
+    chart: Chart | None = None,
+    *,
+    column: int | None = None,
+    progress: Progress = silent,
 ) -> Floats:
     """(n, d) parameters of all vertices, those of unused ones zero.
 
     `weights` are (t, 3, 2) by corner, as of `flattening.weights`. There must be a pin, and every
     vertex must hang together with one. With a chart, d is 2, or 1 if a column of it is named.
+    `progress` is told what of this is done.
     ValueError where the numbers of the part are too far apart to calculate with.
     """
     found = np.zeros((len(sheet.points), pins.places.shape[1]))
@@ -88,26 +97,34 @@ def solution(
     if not len(unknown):
         return found
     terms = _terms(sheet, weights, chart, column, found.shape[1])
+    progress(0.1, "ordering the equations")
     inner = free[terms.rows] & free[terms.columns]
+    number: Indices = np.cumsum(free) - 1
+    rows, columns = number[terms.rows[inner]], number[terms.columns[inner]]
+    once = rows < columns
+    places = elimination_places(sheet.points[unknown], rows[once], columns[once])
+    progress(0.4, "solving the equations")
+    sums = np.bincount(terms.rows, np.abs(terms.factors), minlength=len(found))
+    diagonal = np.arange(len(unknown))
+    found[unknown] = _solved(
+        np.concatenate([-terms.factors[inner], sums[unknown]]),
+        np.concatenate([rows, diagonal]),
+        np.concatenate([columns, diagonal]),
+        _right_sides(terms, free, found)[unknown],
+        places,
+    )
+    return found
+
+
+def _right_sides(terms: _Terms, free: Flags, found: Floats) -> Floats:
+    """(n, d) what images and the pinned vertices, at the places `found`, add to the equations."""
     outer = free[terms.rows] & ~free[terms.columns]
     pulls = terms.pulls
     pulls[outer] += terms.factors[outer, None] * found[terms.columns[outer]]
     moved = np.flatnonzero(pulls.any(axis=1))
     at, count = terms.rows[moved], len(found)
-    right: Floats = np.stack(
-        [np.bincount(at, pull[moved], minlength=count) for pull in pulls.T], axis=1
-    )
-    sums = np.bincount(terms.rows, np.abs(terms.factors), minlength=count)
-    number: Indices = np.cumsum(free) - 1
-    diagonal = np.arange(len(unknown))
-    solved = _solved(
-        np.concatenate([-terms.factors[inner], sums[unknown]]),
-        np.concatenate([number[terms.rows[inner]], diagonal]),
-        np.concatenate([number[terms.columns[inner]], diagonal]),
-        right[unknown],
-    )
-    found[unknown] = solved
-    return found
+    sides = [np.bincount(at, pull[moved], minlength=count) for pull in pulls.T]
+    return np.stack(sides, axis=1)
 
 
 def _terms(
@@ -133,24 +150,32 @@ def _beside(values: NDArray[Kind]) -> NDArray[Kind]:
     return np.stack([np.roll(values, -1, axis=1), np.roll(values, 1, axis=1)], axis=2)
 
 
-def _solved(entries: Floats, rows: Indices, columns: Indices, right: Floats) -> Floats:
-    """(k, d) the solution of sparse equations in which every row is diagonally dominant."""
+def _solved(
+    entries: Floats, rows: Indices, columns: Indices, right: Floats, places: Indices | None
+) -> Floats:
+    """(k, d) the solution of sparse equations in which every row is diagonally dominant.
+
+    They are eliminated in the order of their places (k,), or in any if there are none.
+    """
     from scipy.sparse import coo_array
     from scipy.sparse.linalg import splu
 
-    matrix = coo_array((entries, (rows, columns)), shape=(len(right), len(right))).tocsc()
+    at = places if places is not None else np.arange(len(right))
+    matrix = coo_array((entries, (at[rows], at[columns])), (len(right), len(right))).tocsc()
+    moved = np.empty_like(right)
+    moved[at] = right
     try:
         # Dominant diagonals need no pivots, and so the order may be the one that is filled least.
         factors = splu(
             matrix,
-            permc_spec="MMD_AT_PLUS_A",
+            permc_spec="MMD_AT_PLUS_A" if places is None else "NATURAL",
             diag_pivot_thresh=0.0,
             options={"SymmetricMode": True, "Equil": False},
         )
     except RuntimeError:
         raise ValueError(HOPELESS) from None
-    solved = factors.solve(right)
-    solved += factors.solve(right - matrix @ solved)
+    solved = factors.solve(moved)
+    solved += factors.solve(moved - matrix @ solved)
     if not np.isfinite(solved).all():
         raise ValueError(HOPELESS)
-    return np.asarray(solved, dtype=np.float64)
+    return np.asarray(solved[at], dtype=np.float64)

@@ -36,7 +36,7 @@ from plusedit.geometry.mesh.flattening.paths import (
 )
 from plusedit.geometry.mesh.flattening.sheet import Sheet
 from plusedit.geometry.mesh.flattening.weights import conformal_weights, energies
-from plusedit.geometry.mesh.maps import Layout, Progress
+from plusedit.geometry.mesh.maps import Layout, Progress, share_of
 
 CORNERS = np.array([[0.0, 0.0], [0.0, 0.5], [1.0, 0.5], [1.0, 0.0]])
 ORDER = ((0, 0), (0, 1), (1, 1), (1, 0))  # of the corners, in halves of the periods
@@ -55,7 +55,8 @@ def pillow_layout(sheet: Sheet, cone_points: tuple[int, ...], progress: Progress
     progress(0.3, "laying out the pillow")
     chart = _chart(sheet, paths)
     pins = Pins(np.array(points), CORNERS)
-    parameters = solution(sheet, conformal_weights(sheet), pins, chart)
+    told = share_of(progress, 0.3, 0.9)
+    parameters = solution(sheet, conformal_weights(sheet), pins, chart, progress=told)
     progress(0.9, "fitting its width")
     # Of period one by u and v, as seen from the chain; then by the shortest periods.
     places = chart.places(sheet, parameters) * (0.5, 1.0)

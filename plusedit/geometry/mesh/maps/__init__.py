@@ -25,6 +25,15 @@ def silent(share: float, words: str) -> None:
     """Progress that is not told to anyone."""
 
 
+def share_of(progress: Progress, low: float, high: float) -> Progress:
+    """Progress of a piece of the work that takes its share from `low` to `high`."""
+
+    def told(share: float, words: str) -> None:
+        progress(low + (high - low) * min(share, 1.0), words)
+
+    return told
+
+
 @dataclass(frozen=True, eq=False)
 class Subject:
     """A connected part that is to get parameters, with what is known and wished."""

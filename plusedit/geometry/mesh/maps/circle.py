@@ -2,7 +2,7 @@
 
 from plusedit.geometry.mesh.domains import PlaneDomain
 from plusedit.geometry.mesh.flattening.disks import circle_places
-from plusedit.geometry.mesh.maps import Layout, Subject, filled_but_one, register
+from plusedit.geometry.mesh.maps import Layout, Subject, filled_but_one, register, share_of
 
 
 class Circle:
@@ -21,7 +21,8 @@ class Circle:
     def layout(self, subject: Subject) -> Layout:
         subject.progress(0.2, "laying out the disk")
         sheet, ring, notes = filled_but_one(subject)
-        return Layout(PlaneDomain(), circle_places(sheet, ring)[: sheet.own], notes)
+        told = share_of(subject.progress, 0.2, 0.9)
+        return Layout(PlaneDomain(), circle_places(sheet, ring, told)[: sheet.own], notes)
 
 
 register("circle")(Circle())

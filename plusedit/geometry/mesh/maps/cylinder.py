@@ -14,7 +14,7 @@ from plusedit.geometry.mesh.flattening.paths import (
 )
 from plusedit.geometry.mesh.flattening.sheet import Indices, Sheet
 from plusedit.geometry.mesh.flattening.weights import conformal_weights, energies
-from plusedit.geometry.mesh.maps import Layout, Subject, holes, register
+from plusedit.geometry.mesh.maps import Layout, Subject, holes, register, share_of
 
 LONG = 0.25  # of the mean girth: a shorter rim is a hole
 LONGEST = 1e4  # of the girths
@@ -53,9 +53,11 @@ class Cylinder:
         low, high = (sheet.tails[ring] for ring in rings)
         chart, weights = _chart(sheet, low, high), conformal_weights(sheet)
         ends = np.repeat([[0.0], [1.0]], (len(low), len(high)), axis=0)
-        v = solution(sheet, weights, Pins(np.concatenate([low, high]), ends))
+        told = share_of(subject.progress, 0.1, 0.5)
+        v = solution(sheet, weights, Pins(np.concatenate([low, high]), ends), progress=told)
         subject.progress(0.5, "going around the cylinder")
-        u = solution(sheet, weights, Pins(low[:1], np.zeros((1, 1))), chart, column=0)
+        told, pin = share_of(subject.progress, 0.5, 0.9), Pins(low[:1], np.zeros((1, 1)))
+        u = solution(sheet, weights, pin, chart, column=0, progress=told)
         places = chart.places(sheet, np.concatenate([u, v], axis=1))
         energy = energies(sheet, places)
         height = np.sqrt(energy[0, 0] / energy[1, 1])

@@ -5,7 +5,7 @@ import numpy as np
 from plusedit.geometry.mesh.domains import PlaneDomain
 from plusedit.geometry.mesh.flattening.cutting import border_ring, cut_open
 from plusedit.geometry.mesh.flattening.disks import circle_places
-from plusedit.geometry.mesh.maps import Layout, Subject, all_filled, register
+from plusedit.geometry.mesh.maps import Layout, Subject, all_filled, register, share_of
 
 
 class RoughCut:
@@ -26,10 +26,11 @@ class RoughCut:
         fans = np.arange(len(sheet.triangles) - sheet.own) + subject.mesh.face_count
         disk = cut_open(sheet, np.concatenate([owners, fans]))
         subject.progress(0.3, "laying out the disk")
-        places = circle_places(disk, border_ring(disk))[: sheet.own]
+        told = share_of(subject.progress, 0.3, 0.9)
+        places = circle_places(disk, border_ring(disk), told)[: sheet.own]
         handles = "1 handle" if subject.handles == 1 else f"{subject.handles} handles"
-        told = f"the map is rough: with {handles} the part was cut open, and cracks show there"
-        return Layout(PlaneDomain(), places, (*notes, told))
+        note = f"the map is rough: with {handles} the part was cut open, and cracks show there"
+        return Layout(PlaneDomain(), places, (*notes, note))
 
 
 register("rough_cut")(RoughCut())

@@ -2,7 +2,7 @@
 
 from plusedit.geometry.mesh.domains import PlaneDomain
 from plusedit.geometry.mesh.flattening.disks import rectangle_places, sheet_corners
-from plusedit.geometry.mesh.maps import Layout, Subject, filled_but_one, register
+from plusedit.geometry.mesh.maps import Layout, Subject, filled_but_one, register, share_of
 
 
 class Square:
@@ -26,7 +26,7 @@ class Square:
         subject.progress(0.2, "laying out the rectangle")
         corners = sheet_corners(subject.sheet, subject.sheet.ring(subject.topology.loops[0]))
         sheet, ring, notes = filled_but_one(subject)
-        places = rectangle_places(sheet, ring, corners)
+        places = rectangle_places(sheet, ring, corners, share_of(subject.progress, 0.2, 0.9))
         return Layout(PlaneDomain(), places[: sheet.own], notes)
 
 

@@ -7,7 +7,7 @@ from plusedit.geometry.mesh.flattening.equations import Chart, Pins, solution
 from plusedit.geometry.mesh.flattening.lattices import leading_around, reduced_basis
 from plusedit.geometry.mesh.flattening.sheet import Sheet
 from plusedit.geometry.mesh.flattening.weights import conformal_weights, energies
-from plusedit.geometry.mesh.maps import Layout, Subject, all_filled, register
+from plusedit.geometry.mesh.maps import Layout, Subject, all_filled, register, share_of
 
 LONGEST = 1e4  # of the periods to each other
 
@@ -30,7 +30,9 @@ class Torus:
         chart = _chart(sheet)
         subject.progress(0.3, "laying out the torus")
         pin = Pins(sheet.tails[:1], np.zeros((1, 2)))
-        places = chart.places(sheet, solution(sheet, conformal_weights(sheet), pin, chart))
+        told = share_of(subject.progress, 0.3, 0.9)
+        found = solution(sheet, conformal_weights(sheet), pin, chart, progress=told)
+        places = chart.places(sheet, found)
         subject.progress(0.9, "fitting the periods")
         places = places @ reduced_basis(energies(sheet, places)).T
         energy = energies(sheet, places)
