@@ -24,10 +24,10 @@ from numpy.typing import NDArray
 from plusedit.geometry.arrays import Floats, unit
 from plusedit.geometry.mesh.domains import Domain, Images
 from plusedit.geometry.mesh.mesh_surface import MeshSurface
+from plusedit.geometry.mesh.nearby import DEEPEST, nearby
 from plusedit.geometry.mesh.ordering import morton_order
 from plusedit.geometry.mesh.plane_tree import PlaneTree
 
-DEEPEST = 36.0  # below the largest exponent at a place a plane is left out
 FLAT = 1.5  # periods: a Gaussian so wide, with all its images, is a constant
 LEAST, MOST = 1e-60, 1e60  # smoothness: with less there are steps, with more constants
 BESIDE = 1e-3  # of the least sigma: so far from a cone point normals are taken
@@ -61,23 +61,19 @@ class Prepared:
     images: Images
 
     @classmethod
-    def of(cls, surface: MeshSurface) -> "Prepared":
-        tree, planes = surface.foundation.tree, surface.planes
-        domain = surface.domain
+    def of(cls, surface: MeshSurface, places: Floats) -> "Prepared":
+        """The planes that may count at places (m, 2) in the cell, which are in order."""
+        planes, domain = surface.planes, surface.domain
         smoothness = min(max(surface.smoothness, LEAST), MOST)
+        caps = np.array([FLAT * p for p in domain.periods])
+        images = _images(surface, smoothness, caps)
+        tree = nearby(surface.foundation.tree, places, smoothness, caps, images)
         sigmas = smoothness * tree.reaches
-        caps = tuple(FLAT * p for p in domain.periods)
         narrowed = np.minimum(sigmas[:, None], caps)
         heights = planes.weights[tree.order] * (sigmas[:, None] / narrowed).prod(axis=1)
-        largest = narrowed.max(axis=0)
-        # Of the images of one plane the nearest is half a period away at most.
-        reaches = [
-            hypot(0.5 * p, np.sqrt(2.0 * DEEPEST) * w) if p < inf else 0.0
-            for p, w in zip(domain.periods, largest, strict=True)
-        ]
         return cls(
             tree=tree,
-            widths=(smoothness, *caps),
+            widths=(smoothness, *caps.tolist()),
             halves=0.5 / narrowed**2,
             heights=heights / heights.max(),
             points=planes.points[tree.order],
@@ -85,7 +81,7 @@ class Prepared:
             by_v=surface.s * planes.gradients_v[tree.order],
             periods=domain.periods,
             turns=domain.turns,
-            images=domain.images(*reaches),
+            images=images,
         )
 
     @cached_property
@@ -100,6 +96,18 @@ class Prepared:
             self.by_v.T,
         )
         return np.ascontiguousarray(np.concatenate(columns))
+
+
+def _images(surface: MeshSurface, smoothness: float, caps: Floats) -> Images:
+    """All images of which a plane may count in the cell."""
+    domain = surface.domain
+    largest = np.minimum(smoothness * surface.foundation.tree.reaches.max(), caps)
+    # Of the images of one plane the nearest is half a period away at most.
+    reaches = [
+        hypot(0.5 * p, np.sqrt(2.0 * DEEPEST) * w) if p < inf else 0.0
+        for p, w in zip(domain.periods, largest, strict=True)
+    ]
+    return domain.images(*reaches)
 
 
 def unchecked() -> None:
@@ -118,11 +126,11 @@ def evaluated(
         raise ValueError(f"places: expected shape (None, 2), got {wanted.shape}")
     if not np.isfinite(wanted).all():
         raise ValueError("places: has a value that is not finite")
-    prepared = Prepared.of(surface)
     inside, signs = surface.domain.reduction(wanted)
     order = morton_order(inside)
+    ordered = inside[order]
     found = np.empty((len(order), 9 if derivatives else 3))
-    _evaluator()(prepared, inside[order], found, check)
+    _evaluator()(Prepared.of(surface, ordered), ordered, found, check)
     back = np.empty_like(found)
     back[order] = found
     points = np.ascontiguousarray(back[:, :3])
@@ -139,26 +147,27 @@ def points_and_normals(
     At a cone point of a pillow, where both tangents vanish, the normal is the mean of those around;
     where the surface has none, zero.
     """
-    points, by_u, by_v = evaluated(surface, places, derivatives=True)
-    normals = unit(np.cross(unit(by_u), unit(by_v)))
-    cones = cone_points(surface.domain, places)
+    cones, count = cone_points(surface.domain, places), len(places)
+    beside = _beside(surface, places[cones])
+    points, by_u, by_v = evaluated(
+        surface, np.concatenate([places, *beside]), derivatives=True, check=check
+    )
+    normals = unit(np.cross(unit(by_u[:count]), unit(by_v[:count])))
     if len(cones):
-        normals[cones] = _around(surface, places[cones])
-    return points, normals
+        # S is even about a cone point, so that its tangents at d are Q d with the second
+        # derivatives Q. Of S_u x S_v, quadratic in d, the mean over all directions is that of two
+        # at right angles.
+        around = np.cross(by_u[count:] / BESIDE, by_v[count:] / BESIDE)
+        normals[cones] = unit(around.reshape(2, len(cones), 3).sum(axis=0))
+    return points[:count], normals
 
 
-def _around(surface: MeshSurface, cones: Floats) -> Floats:
-    """(k, 3) unit normals of cone points (k, 2).
-
-    S is even about a cone point, so that its tangents at d are Q d with the second derivatives Q.
-    Of S_u x S_v, quadratic in d, the mean over all directions is that of two at right angles.
-    """
+def _beside(surface: MeshSurface, cones: Floats) -> tuple[Floats, ...]:
+    """Places (k, 2) beside cone points (k, 2) in two directions at right angles; none of none."""
+    if not len(cones):
+        return ()
     step = BESIDE * float(surface.sigmas[surface.planes.used].min())
-    total = np.zeros((len(cones), 3))
-    for aside in ([step, 0.0], [0.0, step]):
-        _, by_u, by_v = evaluated(surface, cones + aside, derivatives=True)
-        total += np.cross(by_u / step, by_v / step)
-    return unit(total)
+    return cones + np.array([step, 0.0]), cones + np.array([0.0, step])
 
 
 def cone_points(domain: Domain, places: Floats) -> NDArray[np.intp]:

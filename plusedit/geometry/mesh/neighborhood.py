@@ -14,9 +14,10 @@ from numpy.typing import NDArray
 
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.mesh.domains import Domain
-from plusedit.geometry.mesh.evaluation import DEEPEST, FLAT
+from plusedit.geometry.mesh.evaluation import FLAT
 from plusedit.geometry.mesh.held import Held
 from plusedit.geometry.mesh.mesh_surface import MeshSurface
+from plusedit.geometry.mesh.nearby import DEEPEST
 from plusedit.geometry.mesh.planes import FacePlanes
 
 NEAREST = 4  # planes, of which that with the least e bounds it
