@@ -14,12 +14,13 @@ ORDER = (
     "Control lines",
     "Curve",
     "Surface",
+    "Mesh",
     "Arrange",
     "View",
     "Window",
     "Help",
 )
-ANY, CURVES, SURFACES = "any", "curves", "surfaces"
+ANY, CURVES, SURFACES, MESHES = "any", "curves", "surfaces", "meshes"
 IN_CONTEXT = (
     (ANY, ("cut", "copy", "paste", "edit.duplicate", "edit.delete")),
     (ANY, ("edit.reset_directions", "edit.reverse_directions")),
@@ -30,6 +31,8 @@ IN_CONTEXT = (
     (SURFACES, ("edit.insert_row", "edit.insert_column", "edit.transpose")),
     (SURFACES, ("edit.pass_through_surface", "edit.tangent_corners", "edit.balance")),
     (SURFACES, ("edit.extract_boundary", "edit.extract_u", "edit.extract_v")),
+    (MESHES, ("edit.sharper", "edit.smoother", "edit.reset_factor")),
+    (MESHES, ("edit.reset_planes", "edit.select_edited")),
     (ANY, ("edit.hide", "edit.lock", "edit.to_front", "edit.to_back")),
     (ANY, ("frame_selected", "frame_all")),
 )

@@ -268,7 +268,11 @@ class MainWindow(QMainWindow):
         chosen = self.desk.selected_shapes().values()
         has_surfaces = any(isinstance(geometry, PlusSurface) for geometry in chosen)
         has_curves = len(self.desk.selected_curves()) > 0
-        return [menus.SURFACES] * has_surfaces + [menus.CURVES] * (has_curves or not has_surfaces)
+        selected = self.session.selection.shapes
+        has_meshes = any(i in selected for i, _ in self.session.design.meshes())
+        is_nothing = not (has_surfaces or has_curves or has_meshes)
+        kinds = {menus.SURFACES: has_surfaces, menus.MESHES: has_meshes, menus.CURVES: has_curves}
+        return [menus.CURVES] if is_nothing else [kind for kind, has in kinds.items() if has]
 
     # What Qt tells
 

@@ -35,6 +35,7 @@ def edit_actions() -> list[EditAction]:
     from plusedit.interaction import (
         arranging,
         curve_actions,
+        face_actions,
         line_actions,
         magnitude_actions,
         making_actions,
@@ -51,6 +52,7 @@ def edit_actions() -> list[EditAction]:
         curve_actions,
         making_actions,
         surface_actions,
+        face_actions,
         arranging,
     )
     return [action for module in modules for action in module.ACTIONS]

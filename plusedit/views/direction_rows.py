@@ -4,7 +4,7 @@ A direction in the plane has an angle and a length; one in space an azimuth (fro
 towards the y axis), an elevation above the plane of both, and a length.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from math import asin, degrees, hypot, radians
 
 import numpy as np
@@ -13,8 +13,10 @@ from PySide6.QtWidgets import QCheckBox, QFormLayout
 from plusedit.commands.base import Command, Side, Targets, Together
 from plusedit.commands.bearing import SetBearing
 from plusedit.commands.directions import ResetDirections, SetAngle, SetDirection, SetLength
-from plusedit.document.shape import PlusGeometry, ShapeId
+from plusedit.document.shape import Geometry, ShapeId
 from plusedit.geometry.arrays import Floats
+from plusedit.geometry.mesh.mesh_surface import MeshSurface
+from plusedit.geometry.net import Flags
 from plusedit.geometry.surface import WAYS, Way
 from plusedit.views.basis_form import check, row_label
 from plusedit.views.desk import Desk
@@ -30,7 +32,7 @@ class DirectionRows:
     def __init__(self, desk: Desk, form: QFormLayout, side: Way | None) -> None:
         self._desk, self._form, self._side = desk, form, side
         self._targets: Targets = {}
-        self._shapes: dict[ShapeId, PlusGeometry] = {}
+        self._shapes: dict[ShapeId, Geometry] = {}
         self._title = None if side is None else title(TITLES[side])
         if self._title is not None:
             self._title.setContentsMargins(0, 6, 0, 0)
@@ -44,7 +46,7 @@ class DirectionRows:
         self._automatic.clicked.connect(self._switch_automatic)
         form.addRow(row_label("Automatic"), self._automatic)
 
-    def show(self, targets: Targets, shapes: dict[ShapeId, PlusGeometry]) -> None:
+    def show(self, targets: Targets, shapes: dict[ShapeId, Geometry]) -> None:
         """Show the directions of these; nothing where there are none of this kind."""
         self._shapes = shapes
         self._targets = {i: rows for i, rows in targets.items() if self._is_told_of(shapes[i])}
@@ -61,18 +63,29 @@ class DirectionRows:
             self._show_numbers()
 
     def _show_numbers(self) -> None:
-        directions = [self._direction(i, row) for i, row in self._each()]
+        directions = list(self._different())
         mixed = "mixed" if any(d.any() for d in directions) else "none"
         self._angle.show_value(common(map(azimuth_of, directions)), mixed=mixed)
         self._azimuth.show_value(common(map(azimuth_of, directions)), mixed=mixed)
         self._elevation.show_value(common(map(elevation_of, directions)), mixed=mixed)
         self._length.show_value(common(map(length_of, directions)))
-        check(self._automatic, [self._is_automatic(i, row) for i, row in self._each()])
+        flags = [self._flags(i)[list(rows)] for i, rows in self._targets.items()]
+        check(self._automatic, np.unique(np.concatenate(flags)).tolist())
+        # What is a face's own already can't be kept: it would be the same.
+        are_faces = all(isinstance(self._shapes[i], MeshSurface) for i in self._targets)
+        self._automatic.setText("the face's own" if are_faces else "follows its neighbors")
+        self._automatic.setEnabled(not are_faces or not all(found.all() for found in flags))
+
+    def _different(self) -> Iterator[Floats]:
+        """The directions, (dim,) each; of a shape on which all are the same only one."""
+        for shape_id, rows in self._targets.items():
+            found = self._shapes[shape_id].vectors[self._way][list(rows)]
+            yield from found[:1] if (found == found[0]).all() else found
 
     def _each(self) -> list[tuple[ShapeId, int]]:
         return [(i, row) for i, rows in self._targets.items() for row in rows]
 
-    def _is_told_of(self, geometry: PlusGeometry) -> bool:
+    def _is_told_of(self, geometry: Geometry) -> bool:
         return (len(geometry.vectors) == 2) == (self._side is not None)
 
     @property
@@ -84,8 +97,10 @@ class DirectionRows:
         direction: Floats = self._shapes[shape_id].vectors[self._way, row]
         return direction
 
-    def _is_automatic(self, shape_id: ShapeId, row: int) -> bool:
-        return bool(self._shapes[shape_id].net.automatic_vectors[self._way, row])
+    def _flags(self, shape_id: ShapeId) -> Flags:
+        """(n,) which directions of a shape are automatic."""
+        flags: Flags = self._shapes[shape_id].net.automatic_vectors[self._way]
+        return flags
 
     def _called(self, name: str) -> str:
         return name if self._side is None else f"{name} by {self._side}"
@@ -116,7 +131,7 @@ class DirectionRows:
         return SetLength(self._targets, value, side=self._of)
 
     def _switch_automatic(self) -> None:
-        if not all(self._is_automatic(i, row) for i, row in self._each()):
+        if not all(self._flags(i)[list(rows)].all() for i, rows in self._targets.items()):
             self._desk.commit(ResetDirections(self._targets, side=self._of))
             return
         keep = tuple(

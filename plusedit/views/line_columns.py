@@ -9,7 +9,8 @@ from plusedit.commands.bearing import SetBearing
 from plusedit.commands.directions import ResetDirections, SetAngle, SetDirection, SetLength
 from plusedit.commands.lines import SetCoordinate, SetWeight
 from plusedit.document.selection import LineId
-from plusedit.document.shape import PlusGeometry, ShapeId
+from plusedit.document.shape import Geometry, ShapeId
+from plusedit.geometry.mesh.mesh_surface import MeshSurface
 from plusedit.views.direction_rows import azimuth_of, elevation_of, length_of
 
 AXES = ("x", "y", "z")
@@ -19,7 +20,7 @@ HINTS = {
     "azimuth": ("Az", "Azimuth of the direction in degrees, from x towards y"),
     "elevation": ("El", "Elevation of the direction in degrees, above the plane of x and y"),
     "length": ("Length", "Length of the direction"),
-    "auto": ("Auto", "Whether the direction follows the neighboring points"),
+    "auto": ("Auto", "Whether the direction follows the neighboring points, or is the face's own"),
 }
 
 
@@ -55,10 +56,12 @@ class Column:
             return "Shape and number of the control line or plane"
         return "Control point" if self.kind in AXES else "Its share in the shape"
 
-    def belongs_to(self, geometry: PlusGeometry) -> bool:
+    def belongs_to(self, geometry: Geometry) -> bool:
         """Whether such a number exists of the lines or planes of a shape."""
         if self.kind in AXES:
             return AXES.index(self.kind) < geometry.dimension
+        if self.kind == "weight":
+            return not isinstance(geometry, MeshSurface)
         if self.kind not in HINTS:
             return True
         if (len(geometry.vectors) == 2) != (self.side != "both"):
@@ -68,7 +71,7 @@ class Column:
             self.kind, True
         )
 
-    def number_of(self, geometry: PlusGeometry, row: int) -> float | None:
+    def number_of(self, geometry: Geometry, row: int) -> float | None:
         """What stands there for a line or plane; None where there is nothing."""
         if not self.belongs_to(geometry):
             return None
@@ -98,7 +101,7 @@ class Column:
                 return SetWeight(targets, value)
         return SetCoordinate(targets, AXES.index(self.kind), value)
 
-    def switched(self, line: LineId, geometry: PlusGeometry) -> Command:
+    def switched(self, line: LineId, geometry: Geometry) -> Command:
         """The command that makes the direction automatic, or keeps it as it is now."""
         if geometry.net.automatic_vectors[self.way, line.number]:
             direction = geometry.vectors[self.way, line.number]
@@ -121,7 +124,7 @@ EVERY = (
 )  # fmt: skip
 
 
-def columns_for(shapes: Sequence[PlusGeometry]) -> list[Column]:
+def columns_for(shapes: Sequence[Geometry]) -> list[Column]:
     """The columns that say something of these shapes; those of a plane curve where none are."""
     if not shapes:
         return [column for column in EVERY if column.side == "both" and column.kind not in "z"]

@@ -71,7 +71,7 @@ class EditedPlanes(Mapping[int, EditedPlane]):
         return len(self.faces)
 
     def __iter__(self) -> Iterator[int]:
-        return iter(self._by_face)
+        return iter(self.faces.tolist())
 
     def __getitem__(self, face: int) -> EditedPlane:
         return self._by_face[face]

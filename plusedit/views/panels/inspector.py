@@ -4,6 +4,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QScrollArea, QVBoxLayout, QWidget
 
 from plusedit.views.desk import Desk
+from plusedit.views.face_form import FaceForm
 from plusedit.views.line_form import LineForm
 from plusedit.views.live import LiveWidget, quiet, rule
 from plusedit.views.panels import panel
@@ -26,13 +27,14 @@ class Inspector(LiveWidget):
         self._shape = ShapeForm(desk)
         self._rule = rule()
         self._lines = LineForm(desk)
+        self._faces = FaceForm(desk)
         inside = QWidget()
         inside.setProperty("panel", True)
         inside.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         column = QVBoxLayout(inside)
         column.setContentsMargins(12, 12, 12, 12)
         column.setSpacing(12)
-        for part in (self._empty, self._lines, self._rule, self._shape):
+        for part in (self._empty, self._lines, self._faces, self._rule, self._shape):
             column.addWidget(part)
         column.addStretch(1)
         area = QScrollArea()
@@ -46,11 +48,13 @@ class Inspector(LiveWidget):
     def refresh(self) -> None:
         session = self.desk.session
         shapes = {i: s for i, s in session.design.shapes.items() if i in session.selection.shapes}
-        chosen = self.desk.selected_shapes()
         self._empty.setVisible(not shapes)
         self._shape.setVisible(bool(shapes))
-        targets = {i: rows for i, rows in session.selection.by_shape().items() if i in chosen}
+        targets = {i: rows for i, rows in session.selection.by_shape().items() if i in shapes}
         self._rule.setVisible(bool(targets))
         if shapes:
             self._shape.show_shapes(shapes)
-        self._lines.show_lines(targets, dict(chosen), self.desk.gestures.grid_step)
+        geometries = {i: shape.geometry for i, shape in shapes.items()}
+        self._lines.show_lines(targets, geometries, self.desk.gestures.grid_step)
+        meshes = {i: shape.mesh for i, shape in shapes.items() if shape.mesh is not None}
+        self._faces.show_faces({i: targets.get(i, ()) for i in meshes}, meshes)

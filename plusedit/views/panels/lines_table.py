@@ -1,5 +1,8 @@
 """The table of control lines and planes: every number of the selected shapes, or of all."""
 
+from collections.abc import Iterable
+from itertools import islice
+
 from PySide6.QtCore import (
     QAbstractTableModel,
     QItemSelection,
@@ -11,7 +14,8 @@ from PySide6.QtCore import (
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QStackedLayout, QTableView
 
 from plusedit.document.selection import LineId, Selection
-from plusedit.document.shape import PlusGeometry, Shape, ShapeId
+from plusedit.document.shape import Geometry, Shape, ShapeId
+from plusedit.scene.handles import has_many_faces
 from plusedit.views.arithmetic import calculated, written
 from plusedit.views.desk import Desk
 from plusedit.views.line_columns import Column, columns_for
@@ -27,7 +31,8 @@ WIDEST = 104  # logical pixels of the column of names
 LISTED = 300  # control lines; a design with more lists those of the selected shapes only
 EMPTY = (
     "No control lines yet.\n\n"
-    "The control lines of curves and the control planes of surfaces are listed here."
+    "The control lines of curves and the control planes of surfaces are listed here; of a large "
+    "mesh the planes of the faces that are selected or edited."
 )
 
 
@@ -48,13 +53,10 @@ class LinesModel(QAbstractTableModel):
 
     def refresh(self) -> bool:
         """Show the shapes as they are now; whether rows, names or columns are others now."""
-        design = self._desk.session.design
-        shapes = dict(design.drawn())
-        if sum(len(geometry.net) for geometry in shapes.values()) > LISTED:
-            shapes = dict(self._desk.selected_shapes()) or shapes
-        rows = [LineId(i, row) for i, shape in shapes.items() for row in range(len(shape.net))]
-        columns = columns_for(list(shapes.values()))
-        before, self._shown = self._shown, {i: design[i] for i in shapes}
+        shapes = self._listed_shapes()
+        rows = [LineId(i, row) for i, shape in shapes.items() for row in self._listed(i, shape)]
+        columns = columns_for([shape.geometry for shape in shapes.values()])
+        before, self._shown = self._shown, shapes
         if rows == self._rows and columns == self._columns:
             changed = {i for i, shape in self._shown.items() if before.get(i) is not shape}
             self._tell_of(changed)
@@ -63,6 +65,30 @@ class LinesModel(QAbstractTableModel):
         self._rows, self._columns = rows, columns
         self.endResetModel()
         return True
+
+    def _listed_shapes(self) -> dict[ShapeId, Shape]:
+        """All shapes, or of many lines those selected; large meshes only where selected."""
+        session = self._desk.session
+        chosen = session.selection.shapes
+        shapes = dict(session.design.shapes)
+        counts = {i: s.element_count for i, s in shapes.items() if not has_many_faces(s)}
+        few = [i for i in counts if i in chosen] if sum(counts.values()) > LISTED else counts
+        listed = {*(few or counts), *(i for i in chosen if has_many_faces(shapes[i]))}
+        return {i: shape for i, shape in shapes.items() if i in listed}
+
+    def _listed(self, shape_id: ShapeId, shape: Shape) -> Iterable[int]:
+        """The numbers listed: of a large mesh the faces that are edited or selected.
+
+        They stay as long as what is selected is among them, so that one can be picked of several.
+        """
+        if shape.mesh is None or not has_many_faces(shape):
+            return range(shape.element_count)
+        chosen = self._desk.session.selection.by_shape().get(shape_id, ())[:LISTED]
+        before = [line.number for line in self._rows if line.shape == shape_id]
+        if chosen and set(chosen) <= set(before) and before[-1] < shape.element_count:
+            return before
+        edited = islice(shape.mesh.edited, LISTED)
+        return sorted({*edited, *chosen})[:LISTED]
 
     def _tell_of(self, shape_ids: set[ShapeId]) -> None:
         """The rows of these shapes show other numbers."""
@@ -93,7 +119,7 @@ class LinesModel(QAbstractTableModel):
         flags = Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable
         column, (shape_id, _) = self._columns[index.column()], self._rows[index.row()]
         shape = self._desk.session.design.shapes.get(shape_id)
-        if shape is None or shape.plus is None or not column.belongs_to(shape.plus):
+        if shape is None or not column.belongs_to(shape.geometry):
             return flags
         if column.kind == "auto":
             return flags | Qt.ItemFlag.ItemIsUserCheckable
@@ -104,9 +130,9 @@ class LinesModel(QAbstractTableModel):
             return None
         column, (shape_id, row) = self._columns[index.column()], self._rows[index.row()]
         shape = self._desk.session.design.shapes.get(shape_id)
-        geometry = None if shape is None else shape.plus
-        if shape is None or geometry is None or row >= len(geometry.net):
+        if shape is None or row >= shape.element_count:
             return None  # a moment before `refresh` has caught up with the design
+        geometry = shape.geometry
         if role == Role.TextAlignmentRole and column.kind != "line":
             return int(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         if column.kind == "auto":
@@ -126,7 +152,7 @@ class LinesModel(QAbstractTableModel):
     def setData(self, index: Index, value: object, role: int = Role.EditRole) -> bool:
         line, column = self._rows[index.row()], self._columns[index.column()]
         if role == Role.CheckStateRole:
-            geometry = self._desk.session.design.plus(line.shape)
+            geometry = self._desk.session.design[line.shape].geometry
             return not self._desk.commit(column.switched(line, geometry))
         if role != Role.EditRole or str(value) == str(self.data(index, Role.EditRole)):
             return False
@@ -145,7 +171,7 @@ def aligned(column: Column) -> Qt.AlignmentFlag:
     return Qt.AlignmentFlag.AlignHCenter if column.kind == "auto" else Qt.AlignmentFlag.AlignRight
 
 
-def numbered(geometry: PlusGeometry, row: int) -> str:
+def numbered(geometry: Geometry, row: int) -> str:
     """Such as "3", or "2, 1" of a control plane; counted from 1."""
     return element_name(geometry, row).partition(" ")[2]
 
