@@ -19,6 +19,7 @@ from plusedit.scene.space_camera import SpaceCamera
 
 FEW = 4000  # edges, up to which they are drawn without being asked for
 EDGE = 1.5  # pixels
+SHORTEST = 14.0  # pixels that a line of a silhouette extends, to be drawn
 EDGES = "line@22"
 WIRE = "line@30"
 DIM, FAINT = "@45", "line@10"  # of locked shapes
@@ -102,17 +103,29 @@ def edge_item(drawing: MeshDrawing, which: str, color: str, width: float = 1.0) 
 
 
 def mesh_silhouette(drawing: MeshDrawing, camera: Camera) -> tuple[Floats, ...]:
-    """Lines (m, 3) where the surface turns away from the eye; in space they lie before it."""
+    """Lines (m, 3) where the surface turns away from the eye.
+
+    In space they lie before it, and those of bumps that are seen as small are left out.
+    """
     key: Hashable = camera.projection if isinstance(camera, PlaneCamera) else camera
     seen = _SEEN.get(drawing)
     if seen is None or seen[0] != key:
         lines = zero_lines(drawing.points, drawing.net.triangles, _facing(drawing, camera))
         if isinstance(camera, SpaceCamera):
-            found = tuple(lifted(line, camera) for line in lines)
+            found = tuple(lifted(line, camera) for line in _long(list(lines), camera))
         else:
             found = tuple(lines)
         seen = _SEEN[drawing] = key, found
     return seen[1]
+
+
+def _long(lines: list[Floats], camera: SpaceCamera) -> Iterator[Floats]:
+    """The lines that are seen as long enough; all others together would look like dirt."""
+    if lines:
+        starts = np.cumsum([0, *map(len, lines[:-1])])
+        screen = camera.to_screen(np.concatenate(lines))
+        spans = np.maximum.reduceat(screen, starts) - np.minimum.reduceat(screen, starts)
+        yield from (line for line, span in zip(lines, spans, strict=True) if span.max() >= SHORTEST)
 
 
 def darker(color: str) -> str:

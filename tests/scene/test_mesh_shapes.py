@@ -19,6 +19,7 @@ from plusedit.scene.framing import framed
 from plusedit.scene.items import Mesh, Polyline, Segments
 from plusedit.scene.mesh_drawing import vertex_normals
 from plusedit.scene.mesh_nets import net_of, polygon_edges
+from plusedit.scene.mesh_shapes import SHORTEST, mesh_silhouette
 from plusedit.scene.options import ViewOptions
 from plusedit.scene.scene import scene_items
 from plusedit.scene.space_camera import SpaceCamera
@@ -180,6 +181,20 @@ def test_the_mesh_as_it_was_read_is_an_overlay():
     (ghost,) = [i for i in layers.lines if isinstance(i, Segments) and "classical" in i.color]
     edges, _ = polygon_edges(mesh)
     assert_array_equal(ghost.starts, mesh.vertices[edges[:, 0]])
+
+
+def test_of_small_bumps_no_silhouette_is_drawn():
+    count = 40
+    hill = a_hill(count)
+    bumps = hill.mesh.vertices.copy()
+    bumps[:, 2] += 0.02 * np.sin(np.arange(len(bumps)) % (count + 1) * 2.0)
+    rough = replace(hill, mesh=hill.mesh.with_vertices(bumps), smoothness=0.3, shared=None)
+    drawing = drawing_of(rough)
+    near = mesh_silhouette(drawing, CAMERA)
+    assert near
+    far = mesh_silhouette(drawing, replace(CAMERA, height=50.0))
+    assert len(far) < len(near)
+    assert all(np.ptp(CAMERA.to_screen(line), axis=0).max() >= SHORTEST - 1.0 for line in near)
 
 
 def test_the_mesh_itself_is_drawn_where_that_is_asked_for():
