@@ -278,6 +278,7 @@ class Gestures:
             elif outcome is not None:
                 self._session.preview(outcome)
                 running.command = outcome
+            running.command = shown.at_end or running.command
         except EditError as error:
             # What was shown before stays, and is what would be committed.
             feedback = replace(feedback, error=str(error))
@@ -292,10 +293,17 @@ class Gestures:
             return
         running.drag.close()
         self._reach = running.reach
-        if running.command is None:
+        command = running.command
+        if command is None:
             self._session.abort()
         else:
-            self._session.commit(running.command)
+            try:
+                self._session.commit(command)
+            except EditError as error:
+                # Only what has not been shown before can fail.
+                self._session.abort()
+                self.feedback.emit(Feedback(error=str(error)))
+                return
         self._look_again()
 
     def _key_of_drag(self, running: Running, key: str, held: Held) -> None:

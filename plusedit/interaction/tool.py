@@ -97,6 +97,8 @@ class Shown:
     feedback: Feedback = Feedback()
     pan: tuple[float, float] = (0.0, 0.0)
     """pixels to the right and downwards by which the view is to shift from where it is"""
+    at_end: Command | None = None
+    """what is done once the drag is over, if it takes too long to be shown before"""
 
 
 Drag: TypeAlias = Generator[Shown, Pointer, None]
