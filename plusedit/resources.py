@@ -22,6 +22,11 @@ def example_files() -> list[Path]:
     return sorted((assets() / "examples").glob("*.json"))
 
 
+def picture_of_example(path: Path, theme: str) -> Path:
+    """The small picture of a shipped design in the theme of that name; it need not exist."""
+    return path.parent / "pictures" / f"{path.stem}_{theme}.png"
+
+
 def is_shipped(path: Path) -> bool:
     """Whether a file is one of those that ship with the program, which are not to be changed."""
     return assets().resolve() in path.resolve().parents

@@ -16,9 +16,10 @@ from plusedit.geometry.mesh.flattening.distortion import flips
 from plusedit.geometry.mesh.mesh_surface import USUAL_SMOOTHNESS, MeshSurface
 from plusedit.geometry.surface import PlusSurface
 from plusedit.io.files import load
-from plusedit.resources import example_files
+from plusedit.resources import example_files, picture_of_example
 from plusedit.scene.options import options_of, panes_of, space_camera_of
 from plusedit.scene.overlays import overlays
+from plusedit.scene.theme import THEMES
 
 ASSETS = Path(__file__).parents[1] / "assets"
 sys.path.append(str(ASSETS))
@@ -294,3 +295,17 @@ def test_figure_8_shows_every_mesh_at_two_levels():
         assert_array_equal(detailed.mesh.corners, smooth.mesh.corners)
         ahead = [each.mesh.vertices - each.mesh.vertices[0] for each in (detailed, smooth)]
         assert_allclose(*ahead, atol=3e-4)
+
+
+def test_every_example_has_a_picture_in_each_theme():
+    for path in example_files():
+        for theme in THEMES:
+            header = picture_of_example(path, theme).read_bytes()[:24]
+            assert header[:8] == b"\x89PNG\r\n\x1a\n"
+            assert (int.from_bytes(header[16:20]), int.from_bytes(header[20:])) == (416, 264)
+
+
+def test_no_picture_is_left_of_an_example_that_is_gone():
+    folder = picture_of_example(example_files()[0], "light").parent
+    named = {picture_of_example(path, theme) for path in example_files() for theme in THEMES}
+    assert set(folder.iterdir()) == named

@@ -3,11 +3,12 @@
 from dataclasses import replace
 from pathlib import Path
 
-from PySide6.QtCore import QSize
-from PySide6.QtGui import QPixmap
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QImage, QPixmap
 
 from plusedit.document.design import Design
 from plusedit.io.formats import FormatError
+from plusedit.resources import is_shipped, picture_of_example
 from plusedit.scene.options import options_of, view_tree
 from plusedit.scene.theme import Theme
 from plusedit.views.picture import image_of
@@ -35,11 +36,24 @@ def without_words(design: Design) -> Design:
 def picture_of_file(
     path: Path, size: QSize, theme: Theme, pixel_ratio: float = 1.0
 ) -> QPixmap | None:
-    """A picture of the design in a file, or None if it can't be read."""
+    """A picture of the design in a file, or None if it can't be read.
+
+    Of shipped designs it is the one that is shipped with them, where there is one.
+    """
     from plusedit.io.files import load
 
+    shipped = QImage(str(picture_of_example(path, theme.name)) if is_shipped(path) else "")
+    if not shipped.isNull():
+        return _scaled(shipped, size, pixel_ratio)
     try:
         design = load(path).design
     except (FormatError, OSError):
         return None
     return picture_of(design, size, theme, pixel_ratio)
+
+
+def _scaled(image: QImage, size: QSize, pixel_ratio: float) -> QPixmap:
+    smooth = Qt.TransformationMode.SmoothTransformation
+    scaled = image.scaled(size * pixel_ratio, Qt.AspectRatioMode.KeepAspectRatio, smooth)
+    scaled.setDevicePixelRatio(pixel_ratio)
+    return QPixmap.fromImage(scaled)
