@@ -16,7 +16,7 @@ from plusedit.scene.color_scale import SCALES, ColorScale
 from plusedit.scene.items import Legend
 from plusedit.scene.parameter_raster import FaceRaster, rims_of
 from plusedit.scene.parameter_sheet import ParameterSheet
-from plusedit.scene.theme import Theme
+from plusedit.scene.theme import DARK, Theme
 
 Measure: TypeAlias = Literal["angles", "areas"]
 Pixels: TypeAlias = NDArray[np.uint32]
@@ -33,8 +33,9 @@ CHOSEN = 0.5  # of the color of the selection in that of selected faces
 LINE = 0.4  # of the color of lines in that of faces' outlines
 SMALL, LARGE = 3.0, 14.0  # pixels: faces without an outline, and those with a full one
 
-# Pale where nothing is stretched: the bright half of the diverging scale.
-_PALE = ColorScale(SCALES["diverging"].colors[2:])
+# Near the ground where nothing is stretched; on a bright one the usual scale does that.
+_ON_BRIGHT = SCALES["diverging"]
+_ON_DARK = ColorScale(("#9CC8F5", "#4A7FB5", "#343A45", "#B5692B", "#FFC07A"), is_diverging=True)
 
 
 def shares(measure: Measure, stretch: Stretch) -> Floats:
@@ -47,12 +48,13 @@ def shares(measure: Measure, stretch: Stretch) -> Floats:
     return np.clip(0.5 + decades / (2.0 * DECADES), 0.0, 1.0)
 
 
-def scale_of(measure: Measure) -> ColorScale:
+def scale_of(measure: Measure, theme: Theme) -> ColorScale:
     """The colors for those shares."""
-    return _PALE if measure == "angles" else SCALES["diverging"]
+    both = _ON_DARK if theme.name == DARK.name else _ON_BRIGHT
+    return both if measure == "areas" else ColorScale(both.colors[2:])
 
 
-def legend_of(measure: Measure, stretch: Stretch) -> Legend:
+def legend_of(measure: Measure, stretch: Stretch, theme: Theme) -> Legend:
     """What the colors stand for."""
     if measure == "angles":
         marks = [(value, f"{value:g}") for value in (1.0, 1.5, 2.0, 3.0, 4.0)]
@@ -66,7 +68,7 @@ def legend_of(measure: Measure, stretch: Stretch) -> Legend:
     return Legend(
         title=MEASURES[measure],
         unit="",
-        colors=scale_of(measure).hexadecimal(SHADES),
+        colors=scale_of(measure, theme).hexadecimal(SHADES),
         ticks=ticks,
         is_open=is_open,
     )
@@ -83,7 +85,8 @@ class FaceColors:
     @classmethod
     def of(cls, sheet: ParameterSheet, measure: Measure, theme: Theme) -> "FaceColors":
         """The faces of a sheet colored by that."""
-        return cls(scale_of(measure).at(shares(measure, sheet.stretch)).astype(np.float64), theme)
+        scale = scale_of(measure, theme)
+        return cls(scale.at(shares(measure, sheet.stretch)).astype(np.float64), theme)
 
 
 def painted(

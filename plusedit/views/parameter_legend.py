@@ -33,7 +33,7 @@ class ParameterLegend(QWidget):
     def show_sheet(self, sheet: ParameterSheet | None, measure: Measure, theme: Theme) -> None:
         """Speak of those faces; of nothing where there are none."""
         self._theme = theme
-        self.legend = None if sheet is None else legend_of(measure, sheet.stretch)
+        self.legend = None if sheet is None else legend_of(measure, sheet.stretch, theme)
         self._flips = 0 if sheet is None else sheet.flips
         self.text = "" if sheet is None else turned_over(sheet.flips)
         self.setAccessibleDescription(self.text)

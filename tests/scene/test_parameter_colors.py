@@ -14,11 +14,12 @@ from plusedit.scene.parameter_colors import (
     FaceColors,
     legend_of,
     painted,
+    scale_of,
     shares,
 )
 from plusedit.scene.parameter_raster import face_raster
 from plusedit.scene.parameter_sheet import ParameterSheet
-from plusedit.scene.theme import DARK, LIGHT
+from plusedit.scene.theme import DARK, LIGHT, contrast
 
 NONE = np.zeros(0, dtype=np.intp)
 PLACES = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
@@ -52,7 +53,7 @@ def test_areas_lie_in_the_middle_where_they_have_their_share():
 
 @pytest.mark.parametrize("measure", MEASURES)
 def test_ticks_stand_where_their_values_lie(measure):
-    legend = legend_of(measure, Stretch(np.ones(1), np.ones(1)))
+    legend = legend_of(measure, Stretch(np.ones(1), np.ones(1)), LIGHT)
     for share, text in legend.ticks:
         above, _, below = text.partition("/")
         value = np.array([float(above) / float(below or 1.0)])
@@ -62,8 +63,8 @@ def test_ticks_stand_where_their_values_lie(measure):
 
 
 def test_a_legend_is_open_where_values_lie_beyond():
-    assert legend_of("angles", Stretch(np.array([5.0]), np.ones(1))).is_open == (False, True)
-    assert legend_of("areas", Stretch(np.ones(1), np.array([1e-3]))).is_open == (True, False)
+    assert legend_of("angles", Stretch(np.array([5.0]), np.ones(1)), LIGHT).is_open == (False, True)
+    assert legend_of("areas", Stretch(np.ones(1), np.array([1e-3])), DARK).is_open == (True, False)
 
 
 @pytest.mark.parametrize("theme", [LIGHT, DARK])
@@ -71,6 +72,16 @@ def test_beside_the_faces_pixels_are_clear_and_on_them_opaque(theme):
     pixels = picture(two_triangles(), theme=theme)
     assert pixels[2, 2] == 0
     assert (pixels[20:60, 20:60] >> 24 == 255).all()
+
+
+@pytest.mark.parametrize("theme", [LIGHT, DARK])
+def test_what_the_map_leaves_as_it_is_stands_out_least_from_the_ground(theme):
+    for measure, middle in (("angles", 0.0), ("areas", 0.5)):
+        scale = scale_of(measure, theme)
+        shares_of = np.linspace(0.0, 1.0, 9)
+        colors = scale.hexadecimal(9)
+        contrasts = [contrast(color, theme.color("canvas")) for color in colors]
+        assert shares_of[int(np.argmin(contrasts))] == middle
 
 
 def test_a_face_that_is_turned_over_is_loud_and_striped():
