@@ -15,6 +15,7 @@ PADDING = 10.0  # around what is in the box
 AXES = 104.0  # high and wide: the upper right corner, where the 3D view has its axes
 BAR = 14.0  # wide
 LONGEST, SHORTEST = 176.0, 56.0  # of the bar
+SHARE = 0.25, 0.4  # of the height and of the width of a picture: no longer in small ones
 LINE = 16.0  # from one line of words to the next
 TIP = 7.0  # high: the end of an open bar
 TICK, GAP = 4.0, 5.0  # long, and from a tick to its number
@@ -61,7 +62,8 @@ def placed(legend: Legend, size: tuple[float, float]) -> PlacedLegend | None:
     inner = max(BAR + TICK + GAP + numbers, *(_width(text, WORDS) for text in heading))
     width = inner + 2.0 * PADDING
     is_right = room - AXES >= SHORTEST or size[0] < width + AXES
-    length = min(LONGEST, room - AXES if is_right else room)
+    fair = max(SHORTEST, min(SHARE[0] * size[1], SHARE[1] * size[0]))
+    length = min(LONGEST, fair, room - AXES if is_right else room)
     if length < SHORTEST or size[0] < width + 2.0 * MARGIN:
         return None
     height = length + around

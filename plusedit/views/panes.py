@@ -22,6 +22,7 @@ from plusedit.scene.theme import LIGHT, Theme
 from plusedit.views.canvas import PlaneCanvas
 from plusedit.views.hands import Hands
 from plusedit.views.mesh_evaluation import MeshEvaluation
+from plusedit.views.mesh_measuring import MeshMeasuring
 
 if TYPE_CHECKING:
     from plusedit.views.space_canvas import SpaceCanvas
@@ -56,7 +57,9 @@ class Panes(QSplitter):
         self._missing: QWidget | None = None
         self.hands = Hands(self.plane.gestures)
         self.meshes = MeshEvaluation(session, self)
+        self.measuring = MeshMeasuring(session, self.meshes, self)
         self.meshes.ready.listen(self._redraw)
+        self.measuring.ready.listen(self._redraw)
         self.setChildrenCollapsible(False)
         self.setHandleWidth(5)
         self._take_in(self.plane)
@@ -120,6 +123,7 @@ class Panes(QSplitter):
         self._options = options
         for canvas in self.canvases:
             canvas.set_options(options)
+        self.measuring.set_options(options)
 
     def set_theme(self, theme: Theme) -> None:
         """Draw in those colors."""

@@ -9,6 +9,7 @@ from plusedit.commands.meshes import SetSmoothness
 from plusedit.document.shape import ShapeId
 from plusedit.geometry.mesh.mesh_surface import USUAL_SMOOTHNESS, MeshSurface
 from plusedit.views.desk import Desk
+from plusedit.views.deviation_label import DeviationLabel
 from plusedit.views.fields import NumberField
 from plusedit.views.live import common
 from plusedit.views.magnitude_slider import OF_SMOOTHNESS, MagnitudeSlider
@@ -26,6 +27,7 @@ class SmoothnessBar(QWidget):
         self.field = NumberField("S", self._set, step=0.05, digits=4)
         self.field.setFixedWidth(76)
         self.field.setAlignment(Qt.AlignmentFlag.AlignRight)
+        self.numbers = DeviationLabel()
         label = QLabel("S")
         label.setBuddy(self.field)
         label.setProperty("quiet", True)
@@ -35,6 +37,7 @@ class SmoothnessBar(QWidget):
         row.addWidget(self.slider, 1)
         row.addWidget(label)
         row.addWidget(self.field)
+        row.addWidget(self.numbers)
         self.slider.moved.connect(self._preview)
         self.slider.settled.connect(self._settle)
         self.slider.dropped.connect(self._drop)
@@ -48,6 +51,8 @@ class SmoothnessBar(QWidget):
         smoothness = common(mesh.smoothness for mesh in meshes.values())
         self.slider.show_ratio(smoothness, None)
         self.field.show_value(smoothness)
+        design = self._desk.session.design
+        self.numbers.show_meshes(meshes, {i: design[i].name for i in meshes})
         self.slider.update()
 
     def _preview(self, value: float) -> None:

@@ -1,0 +1,114 @@
+"""Finds beside the window's thread what is known of surfaces of meshes only after a while.
+
+How far they are from their meshes, and the values that an overlay colors them by. What is found is
+of the very points that are drawn. While a slider moves nothing is begun, for the picture comes
+first; of what was wished for meanwhile only what is still drawn is found.
+"""
+
+from dataclasses import dataclass
+from threading import Thread
+from weakref import WeakSet
+
+from PySide6.QtCore import QObject, QTimer
+
+from plusedit.document.session import Session
+from plusedit.events import Event
+from plusedit.geometry.mesh.mesh_surface import MeshSurface
+from plusedit.scene.coloring import coloring_overlay, has_values, mesh_values
+from plusedit.scene.drawn_deviation import drawn_deviation, known_deviation
+from plusedit.scene.drawn_mesh import known_drawing
+from plusedit.scene.mesh_drawing import MeshDrawing
+from plusedit.scene.options import ViewOptions
+from plusedit.scene.overlays import Overlay
+from plusedit.views.mesh_evaluation import MeshEvaluation
+from plusedit.views.workers import start_worker
+
+GLANCE = 10  # milliseconds between looks whether a surface is done
+PAUSE = 120  # milliseconds without an edit, after which there is time
+
+
+@dataclass(eq=False)
+class _Job:
+    """One surface as it is drawn, and what is to be found of it."""
+
+    surface: MeshSurface
+    drawing: MeshDrawing
+    entry: Overlay | None
+    """what it is colored by, if by anything"""
+    has_failed: bool = False
+
+    def do(self) -> None:
+        """In a thread; what is found is kept with the drawing."""
+        try:
+            drawn_deviation(self.surface, self.drawing)
+            if self.entry is not None:
+                mesh_values(self.entry, self.surface, self.drawing)
+        except (ValueError, MemoryError):
+            self.has_failed = True
+
+
+class MeshMeasuring(QObject):
+    """Has the meshes of a session measured as they are drawn."""
+
+    def __init__(
+        self, session: Session, evaluation: MeshEvaluation, parent: QObject | None = None
+    ) -> None:
+        super().__init__(parent)
+        self.ready: Event[()] = Event()
+        """more is known of what is drawn"""
+        self._session = session
+        self._entry: Overlay | None = None
+        self._job: _Job | None = None
+        self._thread: Thread | None = None
+        self._failed: WeakSet[MeshDrawing] = WeakSet()
+        self._glance = QTimer(self, interval=GLANCE)
+        self._glance.timeout.connect(self._look)
+        self._rest = QTimer(self, singleShot=True, interval=PAUSE)
+        self._rest.timeout.connect(self._begin)
+        session.changed.listen(lambda old, new: self._rest.start())
+        evaluation.ready.listen(self._begin)
+
+    @property
+    def is_busy(self) -> bool:
+        """Whether something of what is drawn is still to be found."""
+        return self._job is not None or self._rest.isActive() or self._wanted() is not None
+
+    def set_options(self, options: ViewOptions) -> None:
+        """Find what that shows."""
+        entry = coloring_overlay(options.overlays)
+        self._entry = entry if entry is not None and "mesh" in entry.colors else None
+        self._begin()
+
+    def _begin(self) -> None:
+        """Start on the first of what is wanted, unless a thread is at work or edits go on."""
+        if self._job is not None or self._rest.isActive():
+            return
+        job = self._wanted()
+        if job is not None:
+            self._job = job
+            self._thread = start_worker(job.do, "measuring", daemon=True)
+            self._glance.start()
+
+    def _wanted(self) -> _Job | None:
+        """What is still to be found, of selected shapes first."""
+        design, chosen = self._session.design, self._session.selection.shapes
+        shown = [(i, mesh) for i, mesh in design.meshes() if design[i].visible]
+        for _, surface in sorted(shown, key=lambda pair: pair[0] not in chosen):
+            drawing = known_drawing(surface)
+            if drawing is None or drawing in self._failed:
+                continue
+            is_colored = self._entry is None or has_values(self._entry, drawing)
+            if known_deviation(drawing) is None or not is_colored:
+                return _Job(surface, drawing, self._entry)
+        return None
+
+    def _look(self) -> None:
+        job = self._job
+        if job is None or self._thread is None or self._thread.is_alive():
+            return
+        self._job = self._thread = None
+        self._glance.stop()
+        if job.has_failed:
+            self._failed.add(job.drawing)
+        self.ready.emit()
+        self._begin()
