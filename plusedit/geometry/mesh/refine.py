@@ -174,5 +174,6 @@ def _put_together(mesh: PolygonMesh, bisection: Bisection, remarks: tuple[str, s
 
 def _notes(mesh: PolygonMesh, split: PolygonMesh, remarks: tuple[str, str]) -> tuple[str, ...]:
     why, stopped = remarks
-    told = f"{mesh.face_count} faces were split into {split.face_count}"
+    faces = "1 face was" if mesh.face_count == 1 else f"{mesh.face_count} faces were"
+    told = f"{faces} split into {split.face_count}"
     return tuple(filter(None, [f"{told} because of {why}" if why else told, stopped]))

@@ -3,7 +3,8 @@
 On the circle the border is spread by its length. On the rectangle the border between two corners
 lies on a side, where every vertex slides to the mean of its neighbors, as if the part were
 mirrored at the side; with the ratio of the sides for which the energies of u and v agree this
-keeps angles, and a flat rectangle is mapped to itself.
+keeps angles, and a flat rectangle is mapped to itself. Weights must be symmetric for that: others
+drift along a bent strip, farther and farther with its length.
 """
 
 from itertools import pairwise
@@ -13,7 +14,11 @@ import numpy as np
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.mesh.flattening.equations import Pins, solution
 from plusedit.geometry.mesh.flattening.sheet import Indices, Sheet
-from plusedit.geometry.mesh.flattening.weights import energies, mean_value_weights
+from plusedit.geometry.mesh.flattening.weights import (
+    conformal_weights,
+    energies,
+    mean_value_weights,
+)
 from plusedit.geometry.mesh.maps import Progress, share_of, silent
 
 CORNER = 0.75 * np.pi  # angles of a sheet at its border: less is a corner of it
@@ -47,7 +52,7 @@ def rectangle_places(
         sheet, ring = sheet.collared(ring)
         vertices = sheet.tails[np.roll(ring, -corners[0])]
     low, right, high, left = _sides(vertices, corners)
-    weights = mean_value_weights(sheet)
+    weights = conformal_weights(sheet)
     columns = []
     for zero, one, begin in ((left, right, 0.0), (low, high, 0.5)):
         values = np.concatenate([np.zeros(len(zero)), np.ones(len(one))])
