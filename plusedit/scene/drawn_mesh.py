@@ -12,6 +12,8 @@ from weakref import WeakKeyDictionary
 import numpy as np
 from numpy.typing import NDArray
 
+from plusedit.document.design import Design, changed
+from plusedit.document.shape import Shape
 from plusedit.geometry.mesh.evaluation import Check, points_and_normals, unchecked
 from plusedit.geometry.mesh.mesh_surface import MeshSurface
 from plusedit.scene.mesh_drawing import DrawnNet, MeshDrawing
@@ -73,6 +75,26 @@ def known_before(surface: MeshSurface) -> Known | None:
     return None
 
 
+def looks_alike(old: Design, new: Design) -> bool:
+    """Whether designs differ in nothing but surfaces of meshes that are yet to be evaluated.
+
+    For now both are drawn in the same way.
+    """
+    if list(old) != list(new):
+        return False
+    return all(_look_alike(old[i], new[i]) for i in changed(old, new))
+
+
+def _look_alike(old: Shape, new: Shape) -> bool:
+    before, after = old.mesh, new.mesh
+    if before is None or after is None:
+        return False
+    if (old.style, old.visible, old.locked) != (new.style, new.visible, new.locked):
+        return False
+    is_same_net = before.mesh is after.mesh and before.net is after.net
+    return is_same_net and drawing_of(before, wait=False) is drawing_of(after, wait=False)
+
+
 def keep(surface: MeshSurface, drawing: MeshDrawing) -> MeshDrawing:
     """Draw a surface like that from now on; to be called from the thread that draws."""
     _DRAWINGS.pop(surface, None)
@@ -112,10 +134,8 @@ def previewed(surface: MeshSurface, before: Known | None = None) -> MeshDrawing:
 
 def _changed(surface: MeshSurface, before: Known) -> NDArray[np.intp] | None:
     """The vertices of the drawing before that are elsewhere; None where that may be all."""
-    try:
-        from plusedit.geometry.mesh.neighborhood import changed_places
-    except ImportError:
-        return None
+    from plusedit.geometry.mesh.neighborhood import changed_places
+
     return changed_places(before.surface, surface, before.drawing.net.places)
 
 

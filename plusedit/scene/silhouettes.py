@@ -130,10 +130,13 @@ def zero_lines(
 
     They run on from one triangle to the next; none are drawn twice.
     """
-    starts = triangles.astype(np.int64)
-    ends = np.roll(starts, -1, axis=1)
     value = values.astype(np.float64)
-    crosses = (value[starts] > 0.0) != (value[ends] > 0.0)
+    front = (value > 0.0)[triangles]
+    crosses = front != np.roll(front, -1, axis=1)
+    # Few triangles of many are crossed; all else is done for these alone.
+    crossed = crosses.any(axis=1)
+    starts, crosses = triangles[crossed].astype(np.int64), crosses[crossed]
+    ends = np.roll(starts, -1, axis=1)
     starts, ends = starts[crosses], ends[crosses]
     share = (value[starts] / (value[starts] - value[ends]))[:, None]
     places = (1.0 - share) * points[starts] + share * points[ends]

@@ -72,6 +72,10 @@ class PlaneCanvas(Editing[PlaneCamera], PlaneView):
         self._strata.forget()
         super().redraw()
 
+    def redraw_meshes(self) -> None:
+        self._strata.refresh(self._session.design)
+        super().redraw_meshes()
+
     @property
     def _is_slow(self) -> bool:
         return self._strata.is_slow

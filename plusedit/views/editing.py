@@ -9,10 +9,12 @@ from collections.abc import Callable, Collection
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt, QTimer, Signal
 from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QKeyEvent, QMouseEvent, QWheelEvent
 
+from plusedit.document.design import Design
 from plusedit.document.session import Session
 from plusedit.document.shape import ShapeId
 from plusedit.interaction.gesture import Gestures
 from plusedit.interaction.tool import Feedback, Held, Pointer
+from plusedit.scene.drawn_mesh import looks_alike
 from plusedit.scene.options import ViewOptions
 from plusedit.scene.theme import LIGHT, Theme
 from plusedit.views.navigation import C
@@ -45,7 +47,7 @@ class Editing(Wayfinding[C]):
         self._rest.timeout.connect(self._at_rest)
         self.setMinimumSize(160, 120)
         deaf = [
-            self._session.changed.listen(lambda old, new: self._edited()),
+            self._session.changed.listen(self._edited),
             self._session.selected.listen(lambda old, new: self.update()),
             self._gestures.feedback.listen(self._told),
             self._gestures.panned.listen(self.pan),
@@ -107,6 +109,10 @@ class Editing(Wayfinding[C]):
         """Draw the same design anew: more of it is known."""
         self.update()
 
+    def redraw_meshes(self) -> None:
+        """Draw the same design anew: more is known of surfaces of meshes."""
+        self.update()
+
     def may_navigate(self) -> bool:
         return not self._gestures.is_busy
 
@@ -136,10 +142,11 @@ class Editing(Wayfinding[C]):
         if self._pointer is not None and not self._gestures.is_busy and not self.is_panned:
             self._gestures.move(self._pointer)
 
-    def _edited(self) -> None:
+    def _edited(self, old: Design, new: Design) -> None:
         self._is_resting = False
         self._rest.start()
-        self.update()
+        if not looks_alike(old, new):
+            self.update()
 
     def _told(self, feedback: Feedback) -> None:
         self._feedback = feedback

@@ -16,6 +16,8 @@ from plusedit.document.design import Design, changed
 from plusedit.document.selection import Selection
 from plusedit.document.shape import ShapeId
 from plusedit.scene.camera import PlaneCamera
+from plusedit.scene.drawn_mesh import drawing_of
+from plusedit.scene.mesh_drawing import MeshDrawing
 from plusedit.scene.options import ViewOptions
 from plusedit.scene.scene import scene_items
 from plusedit.scene.theme import Theme
@@ -51,6 +53,8 @@ class Strata:
         self._last: Design | None = None
         """the design of the last frame"""
         self._pixmap = QPixmap()
+        self._drawings: dict[ShapeId, MeshDrawing] = {}
+        """the surfaces of meshes that the pixmap shows"""
         self._seconds = 0.0
 
     @property
@@ -66,6 +70,11 @@ class Strata:
     def forget(self) -> None:
         """Draw everything anew in the next frame, each shape in its place."""
         self._look = None
+
+    def refresh(self, design: Design) -> None:
+        """More is known of surfaces of meshes: draw those anew of which that is so."""
+        if self._look is not None and self._drawings != _drawings(design, self._drawings):
+            self.forget()
 
     def paint(self, painter: QPainter, design: Design, look: Look, *, previewed: bool) -> None:
         """Draw the ground, all shapes and the rulers; what follows stays beside the rulers.
@@ -127,12 +136,18 @@ class Strata:
     def _draw_still(self, design: Design, look: Look) -> None:
         self._pixmap = _new_pixmap(look)
         still = [shape_id for shape_id in design if shape_id not in self._moving]
+        self._drawings = _drawings(design, still)
         with painting(self._pixmap) as painter:
             if look.options.grid:
                 paint_grid(painter, look.camera, look.theme)
             _paint_shapes(painter, design, look, still)
             if look.options.rulers:
                 paint_rulers(painter, look.camera, look.theme)
+
+
+def _drawings(design: Design, shapes: Collection[ShapeId]) -> dict[ShapeId, MeshDrawing]:
+    """How the meshes among those shapes are drawn by now."""
+    return {i: drawing_of(mesh, wait=False) for i, mesh in design.meshes() if i in shapes}
 
 
 def _followed(rect: QRectF, old: PlaneCamera, new: PlaneCamera) -> QRectF:

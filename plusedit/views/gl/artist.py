@@ -147,7 +147,7 @@ class SpaceArtist:
             if isinstance(item, Patch):
                 yield frame_of(item.surface).box(item.surface.s)
             elif len(item.points):
-                yield item.points.min(axis=0), item.points.max(axis=0)
+                yield self._meshes.box(item)
         for group in (self._flats, self._veils, *self._handles):
             yield from group.boxes()
         for lines in (self._faint, self._ground):
