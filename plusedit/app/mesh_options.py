@@ -2,11 +2,13 @@
 
 from collections.abc import Mapping
 from dataclasses import replace
+from typing import cast, get_args
 
 from PySide6.QtWidgets import QCheckBox, QComboBox, QLineEdit, QWidget
 
 from plusedit.app.export_dialogs import Question
 from plusedit.commands.meshes import LEAST, MOST
+from plusedit.io.mesh_file import Up
 from plusedit.io.mesh_import import ImportOptions
 from plusedit.views.arithmetic import calculated, written
 from plusedit.views.live import quiet
@@ -26,6 +28,8 @@ MAPS = {
 }
 """What the maps are called here, in the order in which they are offered."""
 
+UP = {"As its kind has it": None, "z": "z", "y": "y"}
+
 REFINING = (
     "A few large or thin faces would spoil the surface around them. They become several control "
     "planes each, so that S counts in smaller steps there."
@@ -42,6 +46,9 @@ class MeshOptionsDialog(Question):
         self.map.addItem(AUTOMATIC, None)
         for key, title in offered_maps().items():
             self.map.addItem(title, key)
+        self.up = QComboBox()
+        for title, axis in UP.items():
+            self.up.addItem(title, axis)
         self.smoothness = QLineEdit(written(options.smoothness, 6))
         self.refine = QCheckBox("Split large and thin faces")
         self.area_weights = QCheckBox("Weigh faces by area")
@@ -50,6 +57,7 @@ class MeshOptionsDialog(Question):
             "At once, while work goes on; else it is done when the report is opened"
         )
         self.form.addRow("Map", self.map)
+        self.form.addRow("Up in the file", self.up)
         self.form.addRow("Smoothness S", self.smoothness)
         self.form.addRow("", self.refine)
         self.form.addRow("", quiet(REFINING))
@@ -60,6 +68,7 @@ class MeshOptionsDialog(Question):
     def fill(self, options: ImportOptions) -> None:
         """Show these."""
         self.map.setCurrentIndex(max(self.map.findData(options.map_name), 0))
+        self.up.setCurrentIndex(max(self.up.findData(options.up), 0))
         self.smoothness.setText(written(options.smoothness, 6))
         self.refine.setChecked(options.refine)
         self.area_weights.setChecked(options.area_weights)
@@ -75,6 +84,7 @@ class MeshOptionsDialog(Question):
             area_weights=self.area_weights.isChecked(),
             refine=self.refine.isChecked(),
             map_name=self.map.currentData(),
+            up=self.up.currentData(),
             measure=self.measure.isChecked(),
         )
 
@@ -91,7 +101,7 @@ def offered_maps() -> dict[str, str]:
 def options_of(tree: Mapping[str, object]) -> ImportOptions:
     """What was remembered; as usual wherever that makes no sense."""
     usual = ImportOptions(measure=True)
-    smoothness, map_name = tree.get("smoothness"), tree.get("map")
+    smoothness, map_name, up = tree.get("smoothness"), tree.get("map"), tree.get("up")
 
     def switch(name: str) -> bool:
         value = tree.get(name)
@@ -103,6 +113,7 @@ def options_of(tree: Mapping[str, object]) -> ImportOptions:
         if isinstance(smoothness, int | float) and LEAST <= smoothness <= MOST
         else usual.smoothness,
         map_name=map_name if isinstance(map_name, str) and map_name in offered_maps() else None,
+        up=cast(Up, up) if up in get_args(Up) else None,
         area_weights=switch("area_weights"),
         refine=switch("refine"),
         measure=switch("measure"),
@@ -114,6 +125,7 @@ def tree_of(options: ImportOptions) -> dict[str, object]:
     return {
         "smoothness": options.smoothness,
         "map": options.map_name,
+        "up": options.up,
         "area_weights": options.area_weights,
         "refine": options.refine,
         "measure": options.measure,

@@ -65,6 +65,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="what else to show, such as mesh; may be given more than once",
     )
     parser.add_argument(
+        "--up",
+        metavar="AXIS",
+        choices=("y", "z"),
+        help="what points up in the file of a mesh, y or z (default: as its kind has it)",
+    )
+    parser.add_argument(
         "--smoothness",
         metavar="S[,S...]",
         type=_levels,
@@ -87,7 +93,7 @@ def run(arguments: argparse.Namespace) -> int:
     if kind == ".svg" and len(arguments.smoothness) > 1:
         raise FormatError(f"{shown_name(out)}: {ONE_ONLY}")
     _check_overlays(arguments.overlay)
-    design = opened_design(arguments.design)
+    design = opened_design(arguments.design, arguments.up)
     check_apart(out, arguments.design)
     designs = _at_levels(design, arguments)
     try:

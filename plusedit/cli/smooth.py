@@ -48,6 +48,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="how parts get parameters, where that suits them (default: what suits best)",
     )
     parser.add_argument(
+        "--up",
+        metavar="AXIS",
+        choices=("y", "z"),
+        help="what points up in the file of a mesh, y or z (default: as its kind has it)",
+    )
+    parser.add_argument(
         "--as-it-is",
         action="store_true",
         help="don't split large and thin faces before",
@@ -67,6 +73,7 @@ def run(arguments: argparse.Namespace) -> int:
         area_weights=arguments.area_weights,
         refine=not arguments.as_it_is,
         map_name=arguments.map,
+        up=arguments.up,
         measure=True,
     )
     imported = import_mesh(arguments.mesh, options)

@@ -1,7 +1,8 @@
 """What the file of a mesh or a terrain says."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from typing import Literal, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,6 +11,8 @@ from plusedit.geometry.arrays import Floats
 from plusedit.geometry.mesh.polygons import PolygonMesh
 
 Numbers = NDArray[np.int32]
+Up: TypeAlias = Literal["y", "z"]
+"""The axis that points up."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,3 +31,13 @@ class MeshFile:
     """whether it is a terrain: z over a grid in x and y"""
     notes: tuple[str, ...] = ()
     """what was left out, ignored or assumed in reading: one sentence a kind"""
+    up: Up = "z"
+    """as the kind of file has it"""
+
+    def upright(self, up: Up | None = None) -> "MeshFile":
+        """The same with z up, where `up` is up in the file; None for what its kind has up."""
+        if (up or self.up) == "z":
+            return self
+        x, y, z = self.mesh.vertices.T
+        turned = np.stack([x, 0.0 - z, y], axis=1)
+        return replace(self, mesh=self.mesh.with_vertices(turned), up="z")

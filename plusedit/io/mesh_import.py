@@ -27,7 +27,7 @@ from plusedit.geometry.mesh.repair import Part, Repaired, repaired
 from plusedit.io.fields import within
 from plusedit.io.files import shown_name
 from plusedit.io.formats import FormatError
-from plusedit.io.mesh_file import MeshFile
+from plusedit.io.mesh_file import MeshFile, Up
 from plusedit.io.mesh_reading import read_mesh
 from plusedit.io.mesh_report import ImportReport, PartReport, faces_by_corners
 
@@ -50,6 +50,8 @@ class ImportOptions:
     """whether large and thin faces are split before"""
     map_name: str | None = None
     """of the map for all parts that it suits; None takes for each the one that suits best"""
+    up: Up | None = None
+    """the axis that points up in the file; None for that of its kind"""
     measure: bool = False
     """whether the deviation from the mesh is measured, which takes as long as all else"""
 
@@ -122,6 +124,7 @@ def smoothed(
     with within(name):
         _check_map(options.map_name)
         tell(READ, "Mending the mesh")
+        read = read.upright(options.up)
         mended = repaired(read.mesh)
         parts, notes = _parts(read, mended, Path(name).stem, options, tell)
         if not parts:

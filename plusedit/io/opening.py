@@ -5,6 +5,7 @@ from pathlib import Path
 
 from plusedit.document.design import Design
 from plusedit.io.files import load
+from plusedit.io.mesh_file import Up
 from plusedit.io.meshes import meshes
 
 
@@ -18,14 +19,16 @@ def mesh_suffixes() -> tuple[str, ...]:
     return tuple(suffix for kind in meshes.values() for suffix in kind.suffixes)
 
 
-def opened_design(path: str | os.PathLike[str]) -> Design:
+def opened_design(path: str | os.PathLike[str], up: Up | None = None) -> Design:
     """The design in a file; of a mesh or terrain the surfaces that an import makes of it.
 
-    FormatError in one sentence.
+    `up` is the axis that points up in a mesh; None for that of its kind of file. FormatError in
+    one sentence.
     """
     place = Path(path)
     if not is_mesh(place):
         return load(place).design
-    from plusedit.io.mesh_import import import_mesh  # what it needs takes its time to load
+    # What it needs takes its time to load.
+    from plusedit.io.mesh_import import ImportOptions, import_mesh
 
-    return import_mesh(place).design
+    return import_mesh(place, ImportOptions(up=up)).design

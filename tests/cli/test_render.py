@@ -1,6 +1,7 @@
 """`plusedit render` as a person runs it: another process, no display."""
 
 import os
+import re
 import subprocess
 import sys
 
@@ -124,6 +125,22 @@ def test_the_file_of_a_mesh_can_be_what_is_drawn(hill, tmp_path):
     assert main(["render", str(hill), str(finer), "--overlay", "mesh"]) == 0
     assert b"<p" in plain.read_bytes()
     assert finer.stat().st_size > plain.stat().st_size
+
+
+def test_a_mesh_whose_y_points_up_is_shown_upright(hill, tmp_path):
+    lying, upright = tmp_path / "lying.svg", tmp_path / "upright.svg"
+    assert main(["render", str(hill), str(lying), "--view", "top"]) == 0
+    assert main(["render", str(hill), str(upright), "--view", "front", "--up", "y"]) == 0
+    width, height = seen_extent(upright)
+    assert (width, height) == pytest.approx(seen_extent(lying), rel=0.02)
+
+
+def seen_extent(picture):
+    """Width and height of what an SVG picture shows."""
+    numbers = re.findall(r'points="([^"]*)"', picture.read_text())
+    assert numbers
+    points = np.array(" ".join(numbers).replace(",", " ").split(), dtype=float).reshape(-1, 2)
+    return tuple(np.ptp(points, axis=0))
 
 
 def test_a_mesh_and_its_surface_at_two_levels_stand_side_by_side(hill, tmp_path):

@@ -155,7 +155,7 @@ def test_what_is_read_is_drawn_at_once(window, cubes):
     [
         ImportOptions(),
         ImportOptions(smoothness=2.25, area_weights=True, refine=False, map_name="torus"),
-        ImportOptions(measure=True),
+        ImportOptions(measure=True, up="y"),
     ],
 )
 def test_the_form_gives_back_what_it_was_filled_with(qtbot, options):

@@ -1,6 +1,6 @@
 """glTF 2.0 as .gltf with its buffers inside or beside it, and as .glb: triangles in a scene."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -47,7 +47,7 @@ class Gltf:
             reading = _Reading(Buffers(tree, chunk, beside), len(data))
             for placed in placed_meshes(tree):
                 reading.add(placed)
-            return cleaned(reading.mesh())
+            return replace(cleaned(reading.mesh()), up="y")
 
 
 register("gltf")(Gltf())
