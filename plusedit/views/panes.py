@@ -58,7 +58,7 @@ class Panes(QSplitter):
         self.hands = Hands(self.plane.gestures)
         self.meshes = MeshEvaluation(session, self)
         self.measuring = MeshMeasuring(session, self.meshes, self)
-        self.meshes.ready.listen(self._redraw)
+        self.meshes.ready.listen(self._redraw_meshes)
         self.measuring.ready.listen(self._redraw)
         self.setChildrenCollapsible(False)
         self.setHandleWidth(5)
@@ -197,6 +197,10 @@ class Panes(QSplitter):
     def _redraw(self) -> None:
         for canvas in self.canvases:
             canvas.redraw()
+
+    def _redraw_meshes(self) -> None:
+        for canvas in self.canvases:
+            canvas.redraw_meshes()
 
     def _take_in(self, canvas: "Canvas") -> None:
         self.addWidget(canvas)
