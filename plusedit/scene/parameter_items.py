@@ -68,11 +68,13 @@ def circle_items(
     Of all faces in sight where none is chosen, if they are few; those of chosen ones likewise.
     """
     centers, is_chosen = sheet.unfolding.centers, len(chosen) > 0
-    low, high = camera.window
+    (left, lower), (right, upper) = camera.window
     faces = chosen if is_chosen else np.arange(len(centers))
-    near = sigmas[faces, None]
-    in_sight = (centers[faces] + near >= low) & (centers[faces] - near <= high)
-    faces = faces[in_sight.all(axis=1)]
+    (u, v), reach = centers[faces].T, sigmas[faces]
+    # By columns: to look at rows of two numbers takes ten times as long.
+    in_sight = (u + reach >= left) & (u - reach <= right)
+    in_sight &= (v + reach >= lower) & (v - reach <= upper)
+    faces = faces[in_sight]
     if not len(faces) or len(faces) > FEW:
         return
     color = "selected" if is_chosen else "line@60"

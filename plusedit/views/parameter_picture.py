@@ -5,7 +5,7 @@ the view; that is colored here. While the view moves, the image moves with it an
 """
 
 from dataclasses import replace
-from typing import NamedTuple
+from operator import is_
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,14 +26,6 @@ from plusedit.views.newest import Newest
 BEYOND = 0.2  # of the view, on every side
 
 
-class _Look(NamedTuple):
-    """What decides the colors of the pixels."""
-
-    measure: Measure
-    theme: Theme
-    chosen: frozenset[int]
-
-
 class ParameterPicture(QObject):
     """The faces of one mesh at a time."""
 
@@ -48,7 +40,8 @@ class ParameterPicture(QObject):
         self._raster: FaceRaster | None = None
         self._asked: PlaneCamera | None = None
         self._image = QImage()
-        self._colored: tuple[FaceRaster, ParameterSheet, _Look] | None = None
+        self._colored: tuple[object, ...] = ()
+        """what the image was colored by"""
         self._colors: tuple[ParameterSheet, Measure, FaceColors] | None = None
 
     @property
@@ -99,19 +92,17 @@ class ParameterPicture(QObject):
         camera: PlaneCamera,
         measure: Measure,
         theme: Theme,
-        chosen: frozenset[int],
+        chosen: NDArray[np.intp],
     ) -> None:
-        """Draw what there is where the camera sees it."""
+        """Draw what there is where the camera sees it; `chosen` is compared by identity."""
         raster, sheet = self._raster, self.sheet
         if raster is None or sheet is None:
             return
-        look = _Look(measure, theme, chosen)
-        kept = self._colored
-        if kept is None or kept[0] is not raster or kept[1] is not sheet or kept[2] != look:
-            numbers = np.fromiter(chosen, np.intp, len(chosen))
-            pixels = painted(raster, sheet, self._face_colors(sheet, measure, theme), numbers)
-            self._image = _image_of(pixels)
-            self._colored = raster, sheet, look
+        colors = self._face_colors(sheet, measure, theme)
+        look = raster, sheet, colors, chosen
+        if not (self._colored and all(map(is_, self._colored, look))):
+            self._image = _image_of(painted(raster, sheet, colors, chosen))
+            self._colored = look
         low, high = raster.camera.window
         (left, bottom), (right, top) = camera.to_screen(np.stack([low, high])).tolist()
         is_still = abs(raster.camera.scale / camera.scale - painter.device().devicePixelRatio())

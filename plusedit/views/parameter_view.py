@@ -53,7 +53,9 @@ class ParameterView(PlaneView):
         self._shape_id: ShapeId | None = None
         self._surface: MeshSurface | None = None
         self._selection: Selection = NOTHING_SELECTED
-        self._chosen: frozenset[int] = frozenset()
+        self._rows: tuple[int, ...] = ()
+        self._chosen = np.zeros(0, dtype=np.intp)
+        """the same: faces that are selected"""
         self._framed: Unfolding | None = None
         """what was brought into sight last"""
         self._last: Pointer | None = None
@@ -101,7 +103,8 @@ class ParameterView(PlaneView):
             self.hand.cancel()
         self._shape_id, self._surface, self._selection = shape_id, surface, selection
         rows = () if shape_id is None else selection.by_shape().get(shape_id, ())
-        self._chosen = frozenset(rows)
+        if rows is not self._rows:
+            self._rows, self._chosen = rows, np.array(rows, dtype=np.intp)
         self._ask()
         self.update()
 
@@ -122,12 +125,12 @@ class ParameterView(PlaneView):
 
     def frame_selected(self) -> None:
         """See the selected faces, or the whole cell where none is."""
-        if self.sheet is None or not self._chosen:
+        if self.sheet is None or not self._rows:
             self.frame_all()
             return
         unfolding = self.sheet.unfolding
         marks = np.zeros(self.sheet.face_count, dtype=np.bool_)
-        marks[list(self._chosen)] = True
+        marks[self._chosen] = True
         self._frame(unfolding.corners[marks[unfolding.mesh.owners]])
 
     def reading(self) -> tuple[str, str]:
@@ -166,11 +169,10 @@ class ParameterView(PlaneView):
         sheet, camera, theme = stage.sheet, self.camera, self._theme
         self.picture.paint(painter, camera, self.measure, theme, self._chosen)
         images = sheet.unfolding.images_within(*camera.window)
-        chosen = np.array(sorted(self._chosen), dtype=np.intp)
         draw = ItemPainter(painter, camera, theme)
         draw.paint(cell_items(sheet, images))
         draw.paint(rim_items(sheet, images))
-        draw.paint(circle_items(sheet, self._surface.sigmas, chosen, camera))
+        draw.paint(circle_items(sheet, self._surface.sigmas, self._chosen, camera))
         draw.paint(self.hand.items(stage))
 
     # What it hears
