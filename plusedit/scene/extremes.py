@@ -19,14 +19,15 @@ def telling(points: Floats) -> Floats:
     if len(points) <= FEW:
         return points
     points = points[np.isfinite(points).all(axis=1)]
-    along = points @ _directions(points.shape[1]).T
-    farthest = along.argmax(axis=0) if len(points) else np.zeros(0, dtype=np.intp)
-    step = max(1, -(-len(points) // FEW))
-    return np.concatenate([points[farthest], points[::step]])
+    if not len(points):
+        return points
+    along = _directions(points.shape[1]) @ points.T
+    farthest = np.concatenate([along.argmin(axis=1), along.argmax(axis=1)])
+    return np.concatenate([points[farthest], points[:: -(-len(points) // FEW)]])
 
 
 @lru_cache(maxsize=2)
 def _directions(dim: int) -> Floats:
-    """To the middles of the sides, edges and corners of a cube."""
+    """To the middles of the sides, edges and corners of a cube; of opposite ones to one."""
     all_ways = np.array(list(product((-1.0, 0.0, 1.0), repeat=dim)))
-    return all_ways[all_ways.any(axis=1)]
+    return all_ways[: len(all_ways) // 2]
