@@ -15,8 +15,10 @@ from plusedit.geometry.mesh.flattening.paths import (
 from plusedit.geometry.mesh.flattening.sheet import Indices, Sheet
 from plusedit.geometry.mesh.flattening.weights import conformal_weights, energies
 from plusedit.geometry.mesh.maps import Layout, Subject, holes, register, share_of
+from plusedit.geometry.mesh.topology import BoundaryLoop
 
 LONG = 0.25  # of the mean girth: a shorter rim is a hole
+SLIT = 0.02  # of a circle as long: a rim around less than that is a hole that was not sewn up
 LONGEST = 1e4  # of the girths
 
 
@@ -36,6 +38,8 @@ class Cylinder:
 
     def drawback(self, subject: Subject) -> str:
         sheet, (first, second, *_) = subject.sheet, subject.topology.loops
+        if _is_slit(subject, first) or _is_slit(subject, second):
+            return "one rim is that of a slit"
         rims = (sheet.tails[sheet.ring(loop)] for loop in (first, second))
         apart = distance_between(edge_graph(sheet), *rims)
         # The area over the length is the girth of a tube.
@@ -64,6 +68,13 @@ class Cylinder:
         places[..., 1] *= np.clip(height, 1.0 / LONGEST, LONGEST)
         notes = (f"for the map, {holes(len(others))} filled",) if others else ()
         return Layout(CylinderDomain(), places[: sheet.own], notes)
+
+
+def _is_slit(subject: Subject, loop: BoundaryLoop) -> bool:
+    """Whether hardly any area lies inside of a loop."""
+    points = subject.mesh.vertices[loop.vertices] - subject.mesh.vertices[loop.vertices[0]]
+    spanned = 0.5 * np.cross(points, np.roll(points, -1, axis=0)).sum(axis=0)
+    return float(np.linalg.norm(spanned)) < SLIT * loop.length**2 / (4.0 * np.pi)
 
 
 def _chart(sheet: Sheet, low: Indices, high: Indices) -> Chart:
