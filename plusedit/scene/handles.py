@@ -26,6 +26,7 @@ SHORTEST, LONGEST = 24.0, 160.0  # pixels from grip to grip
 END_ON = 1e-3  # foreshortening beyond which a direction is seen as a point
 STEEP = 0.05  # foreshortening down to which the shortest length is kept to, against all depth
 ALL_UP_TO = 200  # control lines and planes of a design, or of a mesh, whose handles are all shown
+SEVERAL = 12  # selected faces of a large mesh that all have handles: more would cover each other
 PROBE = 100.0  # pixels over which foreshortening is measured: many, so that rounding is lost
 
 
@@ -118,7 +119,7 @@ def faces_handled(
     if not has_many_faces(design[shape_id]):
         return None
     chosen = selection.by_shape().get(shape_id, ())
-    if len(chosen) <= ALL_UP_TO:
+    if len(chosen) <= SEVERAL:
         return chosen
     leading = selection.leading
     return (leading.number,) if leading is not None and leading.shape == shape_id else ()

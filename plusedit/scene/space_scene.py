@@ -31,6 +31,7 @@ from plusedit.scene.coloring import (
 )
 from plusedit.scene.drawn_mesh import drawing_of
 from plusedit.scene.drawn_surface import Grids, surface_grids
+from plusedit.scene.face_outlines import face_fill
 from plusedit.scene.gizmo import gizmo_items, gizmo_of
 from plusedit.scene.items import Item, Label, Mesh, Patch, Polygon
 from plusedit.scene.mesh_shapes import darker, mesh_items_in_space
@@ -128,7 +129,8 @@ def space_items(
                 colors=tints.by_shape.get(shape_id),
             )
         )
-        for item in filter(is_finite, chain(overlays, shapes, meshes)):
+        faces = _faces(design, selection, only)
+        for item in filter(is_finite, chain(overlays, shapes, meshes, faces)):
             match item:
                 case Patch() | Mesh() if is_opaque(item):
                     solids.append(item)
@@ -143,6 +145,16 @@ def space_items(
         if tints.legend is not None:
             labels.append(tints.legend)
         return SpaceLayers(tuple(solids), tuple(glass), tuple(lines), tuple(handles), tuple(labels))
+
+
+def _faces(
+    design: Design, selection: Selection, only: Collection[ShapeId] | None
+) -> Iterator[Mesh]:
+    """The selected faces of meshes."""
+    lines = selection.by_shape()
+    for shape_id, _, surface in shown_meshes(design, only):
+        if shape_id in lines:
+            yield face_fill(drawing_of(surface, wait=False), lines[shape_id])
 
 
 def _tints(

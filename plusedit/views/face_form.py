@@ -95,7 +95,7 @@ class FaceForm(QWidget):
         self.slider.theme = self._desk.theme
         self.slider.show_ratio(same, None)
         self.edited.show_count(edited, "edited plane")
-        self.uneven.show_count(int((every != 1.0).sum()), "face", " with an S of its own")
+        self.uneven.show_count(int((every != 1.0).sum()), "face", " with local S")
         self.setVisible(has_faces or edited > 0 or bool((every != 1.0).any()))
 
     def _preview(self, value: float) -> None:

@@ -28,6 +28,7 @@ Index = QModelIndex | QPersistentModelIndex
 Role = Qt.ItemDataRole
 
 WIDEST = 104  # logical pixels of the column of names
+SHORT = 7  # characters of the name of a large mesh
 LISTED = 300  # control lines; a design with more lists those of the selected shapes only
 EMPTY = (
     "No control lines yet.\n\n"
@@ -143,7 +144,8 @@ class LinesModel(QAbstractTableModel):
         if role not in (Role.DisplayRole, Role.EditRole):
             return None
         if column.kind == "line":
-            return f"{shape.name} {numbered(geometry, row)}"
+            name = shortened(shape.name) if has_many_faces(shape) else shape.name
+            return f"{name} {numbered(geometry, row)}"
         value = column.number_of(geometry, row)
         if value is None:
             return ""
@@ -162,6 +164,11 @@ class LinesModel(QAbstractTableModel):
             self._desk.say(str(error))
             return False
         return not self._desk.commit(column.edit(line, number))
+
+
+def shortened(name: str) -> str:
+    """So much of a name that a number of five digits has room beside it."""
+    return name if len(name) <= SHORT else f"{name[: SHORT - 1]}…"
 
 
 def aligned(column: Column) -> Qt.AlignmentFlag:
