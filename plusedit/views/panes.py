@@ -59,7 +59,7 @@ class Panes(QSplitter):
         self.meshes = MeshEvaluation(session, self)
         self.measuring = MeshMeasuring(session, self.meshes, self)
         self.meshes.ready.listen(self._redraw_meshes)
-        self.measuring.ready.listen(self._redraw)
+        self.measuring.ready.listen(self._recolor)
         self.setChildrenCollapsible(False)
         self.setHandleWidth(5)
         self._take_in(self.plane)
@@ -201,6 +201,11 @@ class Panes(QSplitter):
     def _redraw_meshes(self) -> None:
         for canvas in self.canvases:
             canvas.redraw_meshes()
+
+    def _recolor(self) -> None:
+        """Only the 3D view shows colors of surfaces."""
+        if self.space is not None:
+            self.space.redraw()
 
     def _take_in(self, canvas: "Canvas") -> None:
         self.addWidget(canvas)
