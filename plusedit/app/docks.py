@@ -15,7 +15,7 @@ AREAS = {
 }
 WIDTHS = {"left": 272, "right": 264, "beside": 440}  # logical pixels at the first start
 HEIGHTS = {"outliner": 300, "lines_table": 300}
-STATE = 1  # version of the kept places of docks
+STATE = 2  # version of the kept places of docks
 
 
 class Docks:

@@ -49,6 +49,14 @@ MOUSE = (
     ("3D: drag an arrow or a ring", "Move along it, turn about it"),
     ("O while dragging a point", "Soft move: neighbors follow; the wheel, or [ and ], set how far"),
     ("Double-click an edge of a net", "Select that row of control planes"),
+    (
+        "Parameters: click or drag a box",
+        "Select faces of the mesh, which the other views show as control planes",
+    ),
+    (
+        "Parameters: drag A, B, C or D",
+        "Lay the corners of a pillow on other vertices; the mesh is laid out anew",
+    ),
     ("Double-click the s slider", "Measure L anew and go back to s = L / 2"),
 )
 

@@ -93,29 +93,37 @@ def painted(
     raster: FaceRaster, sheet: ParameterSheet, colors: FaceColors, chosen: NDArray[np.intp]
 ) -> Pixels:
     """(h, w) the faces that a raster shows, those in `chosen` as selected; clear beside them."""
-    count, theme = sheet.face_count, colors.theme
-    canvas, line, accent, loud = (
-        _rgb(theme.color(role)) for role in ("canvas", "line", "selected", LOUD)
-    )
-    near, is_chosen = colors.faces.copy(), np.zeros(count, dtype=np.bool_)
-    near[sheet.flipped] = loud
-    is_chosen[chosen] = True
-    near[chosen] += CHOSEN * (accent - near[chosen])
-    faces = np.concatenate([near, near + FAR * (canvas - near)])
-    pixels_wide = np.tile(sheet.sizes * raster.camera.scale, 2)[:, None]
-    strength = LINE * np.clip((pixels_wide - SMALL) / (LARGE - SMALL), 0.0, 1.0)
-    strength[count:] *= 1.0 - FAR
-    lined = faces + strength * (line - faces)
-    fills, lines = (np.append(_words(rows), np.uint32(0)) for rows in (faces, lined))
-    numbers = raster.numbers
+    fills, lines = _palettes(sheet, colors, chosen, raster.camera.scale)
+    numbers, rims = raster.numbers, raster.rims
     pixels = fills[numbers]
-    rims = raster.rims
     pixels[rims] = lines[numbers[rims]]
     if sheet.flips:
         _stripe(pixels, np.append(np.tile(sheet.flipped, 2), False)[numbers])
     if len(chosen):
-        pixels[rims_of(np.append(np.tile(is_chosen, 2), False)[numbers])] = _words(accent[None])[0]
+        is_chosen = np.zeros(2 * sheet.face_count + 1, dtype=np.bool_)
+        is_chosen[chosen] = is_chosen[chosen + sheet.face_count] = True
+        accent = _rgb(colors.theme.color("selected"))
+        pixels[rims_of(is_chosen[numbers])] = _words(accent[None])[0]
     return pixels
+
+
+def _palettes(
+    sheet: ParameterSheet, colors: FaceColors, chosen: NDArray[np.intp], scale: float
+) -> tuple[Pixels, Pixels]:
+    """(2 f + 1,) of the numbers in a raster the colors of faces, and those of their outlines."""
+    canvas, line, accent, loud = (
+        _rgb(colors.theme.color(role)) for role in ("canvas", "line", "selected", LOUD)
+    )
+    near = colors.faces.copy()
+    near[sheet.flipped] = loud
+    near[chosen] += CHOSEN * (accent - near[chosen])
+    faces = np.concatenate([near, near + FAR * (canvas - near)])
+    wide = np.tile(sheet.sizes * scale, 2)[:, None]
+    strength = LINE * np.clip((wide - SMALL) / (LARGE - SMALL), 0.0, 1.0)
+    strength[sheet.face_count :] *= 1.0 - FAR
+    lined = faces + strength * (line - faces)
+    fills, lines = (np.append(_words(rows), np.uint32(0)) for rows in (faces, lined))
+    return fills, lines
 
 
 def _stripe(pixels: Pixels, where: NDArray[np.bool_]) -> None:

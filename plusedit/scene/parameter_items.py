@@ -90,7 +90,7 @@ def hover_items(sheet: ParameterSheet, face: int, place: Floats) -> Iterator[Ite
     """The outline of a face at the image of it that is nearest to a place (2,)."""
     mesh, unfolding = sheet.unfolding.mesh, sheet.unfolding
     corners = unfolding.corners[mesh.starts[face] : mesh.starts[face + 1]]
-    images = unfolding.domain.images(*_reach(unfolding))
+    images = unfolding.images
     centers = images.signs[:, None] * unfolding.centers[face] + images.shifts
     k = int(((centers - place) ** 2).sum(axis=1).argmin())
     around = images.signs[k] * corners + images.shifts[k]
@@ -132,8 +132,3 @@ def _side_colors(unfolding: Unfolding) -> tuple[str, str, str, str]:
     level = "v" if by_v else "line@60"
     upright = "u" if by_u else "line@60"
     return level, upright, level, upright
-
-
-def _reach(unfolding: Unfolding) -> tuple[float, float]:
-    u, v = (period if np.isfinite(period) else 0.0 for period in unfolding.domain.periods)
-    return u, v

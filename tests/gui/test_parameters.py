@@ -8,9 +8,9 @@ from PySide6.QtWidgets import QApplication
 
 from plusedit.app.background import CancelledError
 from plusedit.document.design import Design
-from plusedit.document.map_record import MapRecord, map_of
+from plusedit.document.map_record import MapRecord, map_of, with_map
 from plusedit.document.selection import LineId, Selection
-from plusedit.document.shape import Shape, ShapeId
+from plusedit.document.shape import NOTHING, Shape, ShapeId
 from plusedit.geometry.mesh.domains import PillowDomain, PlaneDomain
 from plusedit.geometry.mesh.mapping import mapped
 from plusedit.geometry.mesh.mesh_surface import MeshSurface
@@ -266,6 +266,21 @@ def test_cone_points_are_taken_from_four_selected_faces(qtbot, closed):
     for face, point in zip(chosen, points, strict=True):
         assert point in mesh.corners[3 * face : 3 * face + 3]
     assert isinstance(closed.session.design.mesh(BALL).domain, PillowDomain)
+
+
+def test_texture_coordinates_are_named_where_a_file_brought_them(qtbot, window):
+    extra = with_map(NOTHING, MapRecord("file_uv"))
+    window.files.show(a_landscape(extra=extra), None)
+    looked_at(qtbot, window, HILL)
+    assert panel(window).bar.map.currentText() == "texture coordinates"
+
+
+def test_a_mesh_that_is_read_tells_of_its_map(qtbot, window, tmp_path):
+    path = tmp_path / "square.obj"
+    path.write_text("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n")
+    assert window.files.open(path)
+    (shape,) = window.session.design.shapes.values()
+    assert map_of(shape) == MapRecord("height_field")
 
 
 def test_only_pillows_have_cone_points(sheet):

@@ -81,14 +81,19 @@ class Unfolding:
         chosen = np.flatnonzero(torn)
         return self.corners[chosen], self.corners[mesh.following[chosen]]
 
+    @cached_property
+    def images(self) -> Images:
+        """Those of the cell and of the cells around it; the first is the cell itself."""
+        u, v = (period if np.isfinite(period) else 0.0 for period in self.domain.periods)
+        return self.domain.images(u, v)
+
     def images_within(self, low: Floats, high: Floats) -> Images:
         """The images of the cell beside itself that reach into a box, those around the cell only.
 
         The first is the cell itself, whether or not it reaches there.
         """
         cell_low, cell_high = self.bounds
-        periods = [period if np.isfinite(period) else 0.0 for period in self.domain.periods]
-        images = self.domain.images(periods[0], periods[1])
+        images = self.images
         ends = images.signs[:, None, None] * np.stack([cell_low, cell_high])
         ends = ends + images.shifts[:, None, :]
         lows, highs = ends.min(axis=1), ends.max(axis=1)
@@ -153,8 +158,7 @@ class Unfolding:
     def _images_of(self, place: Floats) -> Floats:
         """(k, 2) the image of a place in the cell, then those where faces of the cell may be."""
         reduced = self.domain.reduced(place[None])
-        periods = [period if np.isfinite(period) else 0.0 for period in self.domain.periods]
-        images = self.domain.images(periods[0], periods[1])
+        images = self.images
         near = images.signs[:, None] * reduced + images.shifts
         low, high = self.corners.min(axis=0), self.corners.max(axis=0)
         there = ((near >= low) & (near <= high)).all(axis=1)
