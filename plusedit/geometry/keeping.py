@@ -1,8 +1,8 @@
 """Shapes brought back to what they are to keep, after anything else about them was edited.
 
 Constraints are solved one after the other, in closed form and with the least change. What one has
-settled the next leaves alone: tangency settles the gradients at an end and beside it, and passing
-through points takes what is left.
+settled the next leaves alone: tangency leaves the gradients at an end and beside it only the way
+along the end line, and passing through points takes what is left.
 """
 
 from collections.abc import Mapping
@@ -10,7 +10,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from plusedit.geometry.constraints import Constrained, Settled, Wish, constraints
+from plusedit.geometry.arrays import Floats
+from plusedit.geometry.constraints import Constrained, Element, Wish, constraints
 
 HOLDS = 1e-9  # relative: a miss below is rounding
 
@@ -32,7 +33,7 @@ def kept(
     `before` is the shape as it was before it was edited: what was moved there stays where it was
     put, and what has to follow follows.
     """
-    settled: Settled = frozenset()
+    settled: dict[Element, Floats] = {}
     problems: dict[Wish, str] = {}
     for wish in sorted(wishes, key=lambda wish: (constraints[wish.kind].order, wish.numbers)):
         constraint = constraints[wish.kind]
@@ -42,7 +43,10 @@ def kept(
                 continue
             if not holds(geometry, wish):
                 geometry = constraint.solved(geometry, wish.numbers, settled, before)
-            settled = settled | constraint.settles(geometry, wish.numbers)
+            for element, ways in constraint.settles(geometry, wish.numbers).items():
+                # Of two constraints on one direction the stricter one counts.
+                if element not in settled or len(ways) < len(settled[element]):
+                    settled[element] = ways
         except ValueError as error:
             problems[wish] = str(error)
     for wish in wishes:

@@ -34,6 +34,7 @@ def edit_actions() -> list[EditAction]:
     """All of them, in the order of the menus."""
     from plusedit.interaction import (
         arranging,
+        constraint_actions,
         curve_actions,
         face_actions,
         line_actions,
@@ -53,6 +54,7 @@ def edit_actions() -> list[EditAction]:
         making_actions,
         surface_actions,
         face_actions,
+        constraint_actions,
         arranging,
     )
     return [action for module in modules for action in module.ACTIONS]

@@ -26,7 +26,7 @@ FAR = 1e100  # coordinates beyond that, no view is centred on
 class ViewOptions:
     """Switches of a view; kept with the design."""
 
-    overlays: frozenset[str] = frozenset({"classical", "polygon"})
+    overlays: frozenset[str] = frozenset({"classical", "polygon", "constraints"})
     """names on the shelf of overlays"""
     handles: Handles = "auto"
     """whose control lines are shown: of all shapes while they are few, else of the selected"""

@@ -4,6 +4,7 @@ A constraint is solved in closed form by changing gradients, for these the shape
 as little as does.
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal, Protocol, TypeAlias
 
@@ -17,8 +18,9 @@ Constrained: TypeAlias = PlusCurve | PlusSurface
 Element: TypeAlias = tuple[int, int]
 """A direction: k, 0 on curves and by u, 1 by v, and the number of its line or plane."""
 
-Settled: TypeAlias = frozenset[Element]
-"""Directions that later constraints may not change."""
+Settled: TypeAlias = Mapping[Element, Floats]
+"""For directions that are not free any more, the unit vectors (r, dim) along which their gradients
+may still change: none, r = 0, where they are settled altogether."""
 
 Numbers: TypeAlias = Literal["none", "elements", "corners"]
 """What the numbers of a constraint count: nothing, control lines and planes, or corners."""
@@ -79,14 +81,14 @@ class Constraint(Protocol):
         settled: Settled,
         before: Constrained | None,
     ) -> Constrained:
-        """The shape that keeps it, with the least change; settled directions stay.
+        """The shape that keeps it, with the least change; what is settled stays.
 
         ValueError, in a sentence for people, where there is none.
         """
         ...
 
     def settles(self, geometry: Constrained, numbers: tuple[int, ...]) -> Settled:
-        """The directions that it depends on."""
+        """The directions that it depends on, and what of them it leaves free."""
         ...
 
     def places(self, geometry: Constrained, numbers: tuple[int, ...]) -> Floats:

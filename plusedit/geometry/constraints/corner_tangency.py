@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from plusedit.geometry.arrays import Floats
-from plusedit.geometry.constraints import Constrained, Numbers, Settled, register
+from plusedit.geometry.arrays import Floats, unit
+from plusedit.geometry.constraints import Constrained, Element, Numbers, Settled, register
 from plusedit.geometry.surface import WAYS, PlusSurface
 from plusedit.geometry.surface_tangency import CORNERS, Corner, corner_objection, tangent_at_corners
 
@@ -52,14 +52,17 @@ class CornerTangency:
     def settles(self, geometry: Constrained, numbers: tuple[int, ...]) -> Settled:
         surface = _surface(geometry)
         columns = surface.planes.shape[1]
-        found = set()
+        found: dict[Element, Floats] = {}
         for corner in _corners(numbers):
             for way in range(2):
-                i, j = _here(surface, corner)
-                found.add((way, i * columns + j))
                 i, j = _beside(surface, corner, way)
-                found.add((way, i * columns + j))
-        return frozenset(found)
+                element = (way, i * columns + j)
+                # Along the edge a change makes the surface run faster there, or slower.
+                edge = unit(_edge(surface, corner, way)[None])
+                found[element] = edge[:0] if element in found else edge
+                i, j = _here(surface, corner)
+                found[(way, i * columns + j)] = edge[:0]
+        return found
 
     def places(self, geometry: Constrained, numbers: tuple[int, ...]) -> Floats:
         at: Floats = _surface(geometry).derivatives_at(_corners(numbers), highest=0)[0]

@@ -45,15 +45,11 @@ class Passing:
         settled: Settled,
         before: Constrained | None,
     ) -> Constrained:
-        net, shape = geometry.net, geometry.net.automatic_vectors.shape
-        free = np.ones(shape, dtype=np.bool_)
-        for way, number in settled:
-            free[way, number] = False
+        net = geometry.net
         shares = [influence(geometry, place) for place in nodes(geometry, numbers)]
-        matrix = np.stack([share.reaches[free] for share in shares])
+        reaches = np.stack([share.reaches for share in shares])
         missing = net.control_points[list(numbers)] - self.places(geometry, numbers)
-        change = np.zeros((*shape, net.dimension))
-        change[free] = np.linalg.lstsq(matrix, missing, rcond=RANK)[0] / geometry.s
+        change = _least_change(reaches, missing, settled) / geometry.s
         size = np.linalg.norm(change, axis=2)
         is_new = size > UNCHANGED * max(float(size.max()), float(np.abs(geometry.vectors).max()))
         given = np.where(is_new[..., None], geometry.vectors + change, net.given_vectors)
@@ -61,7 +57,8 @@ class Passing:
 
     def settles(self, geometry: Constrained, numbers: tuple[int, ...]) -> Settled:
         ways, count = geometry.net.automatic_vectors.shape
-        return frozenset((way, number) for way in range(ways) for number in range(count))
+        nowhere = np.zeros((0, geometry.dimension))
+        return {(way, number): nowhere for way in range(ways) for number in range(count)}
 
     def places(self, geometry: Constrained, numbers: tuple[int, ...]) -> Floats:
         at = nodes(geometry, numbers)
@@ -69,6 +66,33 @@ class Passing:
             return geometry.at([place[0] for place in at])
         found: Floats = geometry.derivatives_at(at, highest=0)[0]
         return found
+
+
+def _least_change(reaches: Floats, missing: Floats, settled: Settled) -> Floats:
+    """(ways, n, dim) the least change of the gradients that adds what is missing (m, dim).
+
+    `reaches` (m, ways, n) is what each adds. Where none does, the one that comes closest.
+    """
+    (count, ways, size), dimension = reaches.shape, missing.shape[1]
+    change = np.zeros((ways, size, dimension))
+    free = np.ones((ways, size), dtype=np.bool_)
+    for way, number in settled:
+        free[way, number] = False
+    partly = [(element, axis) for element, axes in settled.items() for axis in axes]
+    if not partly:
+        change[free] = np.linalg.lstsq(reaches[:, free], missing, rcond=RANK)[0]
+        return change
+    # A gradient that may change along one vector only moves all coordinates at once.
+    whole = np.kron(reaches[:, free], np.eye(dimension))
+    along = np.stack(
+        [np.outer(reaches[:, way, number], axis).ravel() for (way, number), axis in partly], axis=1
+    )
+    matrix = np.concatenate([whole, along], axis=1)
+    found = np.linalg.lstsq(matrix, missing.reshape(count * dimension), rcond=RANK)[0]
+    change[free] = found[: whole.shape[1]].reshape(-1, dimension)
+    for share, ((way, number), axis) in zip(found[whole.shape[1] :], partly, strict=True):
+        change[way, number] += share * axis
+    return change
 
 
 def nodes(geometry: Constrained, numbers: tuple[int, ...]) -> list[Place]:

@@ -56,7 +56,8 @@ class SmoothClosing:
 
     def settles(self, geometry: Constrained, numbers: tuple[int, ...]) -> Settled:
         last = len(_curve(geometry).lines) - 1
-        return frozenset((0, line) for line in (0, 1, last - 1, last))
+        nowhere = np.zeros((0, geometry.dimension))
+        return {(0, line): nowhere for line in (0, 1, last - 1, last)}
 
     def places(self, geometry: Constrained, numbers: tuple[int, ...]) -> Floats:
         return _curve(geometry).at([0.0])

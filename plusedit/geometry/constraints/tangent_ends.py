@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from plusedit.geometry.arrays import Floats
+from plusedit.geometry.arrays import Floats, unit
 from plusedit.geometry.constraints import Constrained, Numbers, Settled, register
 from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.tangency import end_objection, tangent_at_ends
@@ -45,18 +45,23 @@ class TangentEnd:
         before: Constrained | None,
     ) -> Constrained:
         curve = _curve(geometry)
-        if (0, self._beside(curve)) in settled:
+        if (0, self._beside(curve)) in settled and (0, self._end(curve)) not in settled:
             raise ValueError(self.conflict)
         return tangent_at_ends(curve, start=self._at_start, end=not self._at_start)
 
     def settles(self, geometry: Constrained, numbers: tuple[int, ...]) -> Settled:
         curve = _curve(geometry)
-        end = 0 if self._at_start else len(curve.lines) - 1
-        return frozenset({(0, end), (0, self._beside(curve))})
+        end = self._end(curve)
+        # What runs along the end line changes the speed there and nothing else.
+        heading = unit(curve.gradients[[end]])
+        return {(0, end): heading, (0, self._beside(curve)): heading}
 
     def places(self, geometry: Constrained, numbers: tuple[int, ...]) -> Floats:
         curve = _curve(geometry)
         return curve.at([0.0 if self._at_start else 1.0])
+
+    def _end(self, curve: PlusCurve) -> int:
+        return 0 if self._at_start else len(curve.lines) - 1
 
     def _beside(self, curve: PlusCurve) -> int:
         return 1 if self._at_start else len(curve.lines) - 2

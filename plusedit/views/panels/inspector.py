@@ -3,6 +3,7 @@
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QScrollArea, QVBoxLayout, QWidget
 
+from plusedit.views.constraint_form import ConstraintForm
 from plusedit.views.desk import Desk
 from plusedit.views.face_form import FaceForm
 from plusedit.views.line_form import LineForm
@@ -27,6 +28,7 @@ class Inspector(LiveWidget):
         self._shape = ShapeForm(desk)
         self._rule = rule()
         self._lines = LineForm(desk)
+        self._constraints = ConstraintForm(desk)
         self._faces = FaceForm(desk)
         inside = QWidget()
         inside.setProperty("panel", True)
@@ -34,7 +36,14 @@ class Inspector(LiveWidget):
         column = QVBoxLayout(inside)
         column.setContentsMargins(12, 12, 12, 12)
         column.setSpacing(12)
-        for part in (self._empty, self._lines, self._faces, self._rule, self._shape):
+        for part in (
+            self._empty,
+            self._lines,
+            self._faces,
+            self._rule,
+            self._shape,
+            self._constraints,
+        ):
             column.addWidget(part)
         column.addStretch(1)
         area = QScrollArea()
@@ -54,6 +63,7 @@ class Inspector(LiveWidget):
         self._rule.setVisible(bool(targets))
         if shapes:
             self._shape.show_shapes(shapes)
+        self._constraints.show_shapes(shapes)
         geometries = {i: shape.geometry for i, shape in shapes.items()}
         self._lines.show_lines(targets, geometries, self.desk.gestures.grid_step)
         meshes = {i: shape.mesh for i, shape in shapes.items() if shape.mesh is not None}
