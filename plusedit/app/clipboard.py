@@ -1,12 +1,15 @@
 """Shapes on the clipboard, as the JSON of a design: other windows and editors of text read it."""
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
+from typing import TypeVar
 
 import numpy as np
 from PySide6.QtCore import QMimeData
 from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QWidget
 
+from plusedit.app.background import CancelledError, in_background
 from plusedit.commands.base import fitted
 from plusedit.commands.shapes import AddShapes, DeleteShapes
 from plusedit.document.design import Design
@@ -17,14 +20,16 @@ from plusedit.views.desk import Desk
 
 KIND = "application/x-plusedit-shapes+json"
 SHIFT = 2.0  # grid steps to the right and downwards for every copy after the first
-LARGEST = 64 * 2**20  # characters; more than that on a clipboard was not meant for us
+LARGEST = 64 * 2**20  # characters of plain text; more than that was not meant for us
+
+T = TypeVar("T")
 
 
 class Clipboard:
     """Copy, cut and paste of shapes."""
 
-    def __init__(self, desk: Desk) -> None:
-        self._desk = desk
+    def __init__(self, desk: Desk, parent: QWidget) -> None:
+        self._desk, self._parent = desk, parent
         self._pasted = self._copied = ""
         self._times = 0
 
@@ -36,7 +41,9 @@ class Clipboard:
         if not shapes:
             self._desk.say("Nothing is selected, so nothing was copied.")
             return False
-        text = text_of(shapes)
+        text = self._made("Copying …", lambda: text_of(shapes))
+        if text is None:
+            return False
         data = QMimeData()
         data.setText(text)
         data.setData(KIND, text.encode())
@@ -56,9 +63,11 @@ class Clipboard:
         """Add the shapes on the clipboard, in front and selected."""
         text = self._text()
         try:
-            shapes = shapes_in(text)
+            shapes = self._made("Pasting …", lambda: shapes_in(text))
         except FormatError:
             self._desk.say("The clipboard holds no shapes.")
+            return
+        if shapes is None:
             return
         if text != self._pasted:
             self._pasted, self._times = text, 0
@@ -76,6 +85,14 @@ class Clipboard:
         if self._copied and self._text() == self._copied:
             QGuiApplication.clipboard().setText(self._copied)
 
+    def _made(self, words: str, make: Callable[[], T]) -> T | None:
+        """What `make` gives, without the window standing still; None if the person gave up."""
+        try:
+            return in_background(self._parent, words, make)
+        except CancelledError:
+            self._desk.say("That was cancelled.")
+            return None
+
     def _text(self) -> str:
         # None while whoever owns the clipboard does not answer, whatever Qt's stubs say.
         data: QMimeData | None = QGuiApplication.clipboard().mimeData()
@@ -83,7 +100,8 @@ class Clipboard:
             return ""
         if data.hasFormat(KIND):
             return bytes(data.data(KIND).data()).decode("utf-8", "replace")
-        return data.text() if data.hasText() else ""
+        text = data.text() if data.hasText() else ""
+        return text if len(text) <= LARGEST else ""
 
 
 def text_of(shapes: "dict[ShapeId, Shape]") -> str:
@@ -97,7 +115,7 @@ def shapes_in(text: str) -> list[tuple[ShapeId, Shape]]:
     """The shapes of a text. FormatError if it is not a design, or an empty one."""
     from plusedit.io.formats.json_document import loads
 
-    if not text.strip() or len(text) > LARGEST:
+    if not text.strip():
         raise FormatError("the clipboard holds no shapes")
     shapes = list(loads(text.encode(), "clipboard").design.shapes.items())
     if not shapes:

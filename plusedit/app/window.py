@@ -73,7 +73,7 @@ class MainWindow(QMainWindow):
         self.files = Files(self.desk, settings, self, self.view)
         self.autosave = Autosave(self.session, lambda: self.files.path, autosave_folder)
         self.flows = Flows(self.desk, self.files, self.autosave, self)
-        self.clipboard = Clipboard(self.desk)
+        self.clipboard = Clipboard(self.desk, self)
         self.remapping = Remapping(self.desk, self)
         self.magnitude = MagnitudeBar(self.desk)
         self.side = SideWindows(self)

@@ -12,6 +12,7 @@ from plusedit.app.mesh_opening import is_mesh, opened
 from plusedit.app.mesh_options import MeshOptionsDialog, offered_maps, options_of, tree_of
 from plusedit.app.mesh_report import MeshReportWindow
 from plusedit.commands.shapes import DeleteShapes, Rename, SetLocked
+from plusedit.document.selection import Selection
 from plusedit.geometry.mesh.maps import maps
 from plusedit.io.formats import FormatError
 from plusedit.io.mesh_import import ImportOptions
@@ -298,3 +299,24 @@ def test_what_has_no_surface_is_said_in_a_sentence(tmp_path):
     path.write_text("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n")
     with pytest.raises(FormatError, match=r"line\.obj: "):
         opened(path, lambda share, words: None)
+
+
+def test_meshes_are_copied_and_pasted(window, cubes):
+    window.files.open(cubes)
+    first, second = window.session.design
+    window.session.select(Selection.of_shapes([first]))
+    assert window.clipboard.copy()
+    window.clipboard.paste()
+    *_, pasted = window.session.design
+    before, after = (window.session.design.mesh(i) for i in (first, pasted))
+    np.testing.assert_array_equal(before.parameters, after.parameters)
+    assert len(window.session.design) == 3
+
+
+def test_another_mesh_may_be_selected_at_once(qtbot, window, cubes):
+    window.files.open(cubes)
+    table = window.docks.widget("lines_table")
+    for shape_id in [*window.session.design, *window.session.design]:
+        window.session.select(Selection.of_shapes([shape_id]))
+        table.refresh()
+        assert not table.model.rows

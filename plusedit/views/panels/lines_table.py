@@ -61,7 +61,8 @@ class LinesModel(QAbstractTableModel):
         if rows == self._rows and columns == self._columns:
             changed = {i for i, shape in self._shown.items() if before.get(i) is not shape}
             self._tell_of(changed)
-            return any(before[i].name != self._shown[i].name for i in changed)
+            # Meshes without a selected face have no rows: others may have come in their place.
+            return any(before[i].name != shapes[i].name for i in changed & before.keys())
         self.beginResetModel()
         self._rows, self._columns = rows, columns
         self.endResetModel()
