@@ -5,6 +5,7 @@ from functools import cached_property
 from weakref import WeakKeyDictionary
 
 import numpy as np
+from numpy.typing import NDArray
 
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.mesh.mesh_surface import MeshSurface
@@ -12,6 +13,7 @@ from plusedit.interaction.mesh_depths import DepthMap, depth_map
 from plusedit.scene.camera import Camera
 from plusedit.scene.drawn_mesh import MeshDrawing, drawing_of
 
+BEHIND_EYE = np.uint8(16)  # beside four bits for the sides of a pixel
 BEHIND = 2e-3  # of the usual length of a pixel: smaller ones are behind the eye, or all but
 
 
@@ -20,15 +22,20 @@ class MeshFacets:
     """The triangles of one drawing in one view."""
 
     drawing: MeshDrawing
-    corners: Floats
-    """(t, 3, 2) pixels; not finite where a corner is behind the eye"""
+    screen: Floats
+    """(n, 2) pixels of the vertices; not finite behind the eye"""
     depths: Floats
-    """(t, 3)"""
-    low: Floats
-    """(2, t) of the box around each"""
-    high: Floats
+    """(n,)"""
+    behind: NDArray[np.uint8]
+    """(n,) BEHIND_EYE where a vertex is, else 0"""
     size: tuple[float, float]
     """of the view in pixels"""
+
+    @cached_property
+    def corners(self) -> Floats:
+        """(t, 3, 2) pixels of the triangles."""
+        found: Floats = self.screen[self.drawing.net.triangles]
+        return found
 
     @cached_property
     def middles(self) -> Floats:
@@ -38,12 +45,23 @@ class MeshFacets:
     @cached_property
     def deep(self) -> Floats:
         """(f,) how deep those are."""
-        return self._mean(self.depths.mean(axis=1))
+        return self._mean(self.depths[self.drawing.net.triangles].mean(axis=1))
 
     @cached_property
     def map(self) -> DepthMap:
         """What it hides."""
-        return depth_map(self.corners, self.depths, self.size)
+        return depth_map(self.corners, self.depths[self.drawing.net.triangles], self.size)
+
+    def around(self, at: Floats) -> NDArray[np.intp]:
+        """The triangles that have a pixel (2,) in the boxes around them."""
+        x, y = self.screen.T
+        sides = self.behind.copy()
+        for bit, is_beyond in enumerate((x < at[0], x > at[0], y < at[1], y > at[1])):
+            sides |= is_beyond.view(np.uint8) << np.uint8(bit)
+        # No boxes are made: most views are looked at but once, and this takes less time.
+        first, second, third = (sides[corners] for corners in self.drawing.net.corners)
+        is_apart = (first & second & third) | ((first | second | third) & BEHIND_EYE)
+        return np.flatnonzero(is_apart == 0)
 
     def _mean(self, values: Floats) -> Floats:
         """(f,) the means of numbers of triangles (t,) over each face."""
@@ -70,13 +88,11 @@ _KEPT: "WeakKeyDictionary[MeshDrawing, tuple[Camera, MeshFacets]]" = WeakKeyDict
 def mesh_crossings(at: Floats, surface: MeshSurface, camera: Camera) -> list[Crossing]:
     """Every layer of a surface, as it is drawn by now, under a pixel (2,); the nearest first."""
     facets = facets_of_mesh(surface, camera)
-    (x, y), (left, top), (right, bottom) = at, facets.low, facets.high
-    rows = np.flatnonzero((left <= x) & (right >= x) & (top <= y) & (bottom >= y))
-    shares = _shares(at, facets.corners[rows])
+    net, rows = facets.drawing.net, facets.around(at)
+    shares = _shares(at, facets.screen[net.triangles[rows]])
     hit = (shares >= 0.0).all(axis=1)
     rows, shares = rows[hit], shares[hit]
-    net = facets.drawing.net
-    depths = np.einsum("kc,kc->k", shares, facets.depths[rows])
+    depths = np.einsum("kc,kc->k", shares, facets.depths[net.triangles[rows]])
     places = np.einsum("kc,kcd->kd", shares, net.places[net.triangles[rows]])
     return [
         Crossing(float(depths[k]), int(net.faces[rows[k]]), *places[k].tolist())
@@ -94,17 +110,12 @@ def facets_of_mesh(surface: MeshSurface, camera: Camera) -> MeshFacets:
 
 
 def _facets(drawing: MeshDrawing, camera: Camera) -> MeshFacets:
-    points, triangles = drawing.points, drawing.net.triangles
+    points = drawing.points
     screen = camera.to_screen(points)
-    screen = np.where(np.isfinite(screen), screen, np.nan)
-    screen[~(camera.pixel_at(points) > BEHIND * camera.pixel)] = np.nan
-    corners = screen[triangles]
-    # A minimum along so short an axis would take several times as long as these.
-    a, b, c = np.moveaxis(corners, 1, 0)
-    low, high = np.minimum(np.minimum(a, b), c), np.maximum(np.maximum(a, b), c)
-    low, high = np.ascontiguousarray(low.T), np.ascontiguousarray(high.T)
-    depths = camera.depths(points)[triangles]
-    return MeshFacets(drawing, corners, depths, low, high, camera.size)
+    is_seen = np.isfinite(screen).all(axis=1) & (camera.pixel_at(points) > BEHIND * camera.pixel)
+    screen = np.where(is_seen[:, None], screen, np.nan)
+    behind = np.where(is_seen, np.uint8(0), BEHIND_EYE)
+    return MeshFacets(drawing, screen, camera.depths(points), behind, camera.size)
 
 
 def _shares(at: Floats, corners: Floats) -> Floats:

@@ -7,7 +7,7 @@ evaluated anew.
 """
 
 from typing import NamedTuple
-from weakref import WeakKeyDictionary
+from weakref import WeakKeyDictionary, WeakSet
 
 import numpy as np
 from numpy.typing import NDArray
@@ -37,6 +37,8 @@ class Known(NamedTuple):
 
 _DRAWINGS: "WeakKeyDictionary[MeshSurface, MeshDrawing]" = WeakKeyDictionary()
 """The one asked for last comes last."""
+_UNKNOWN: "WeakSet[MeshSurface]" = WeakSet()
+"""Those that have been looked for among the drawings, as long as these stay the same."""
 _BARE: "WeakKeyDictionary[MeshSurface, MeshDrawing]" = WeakKeyDictionary()
 
 
@@ -60,10 +62,13 @@ def known_drawing(surface: MeshSurface) -> MeshDrawing | None:
     if found is not None:
         _DRAWINGS[surface] = found
         return found
+    if surface in _UNKNOWN:
+        return None
     for other, drawing in reversed(list(_DRAWINGS.items())):
         moved = moved_drawing(surface, other, drawing)
         if moved is not None:
             return keep(surface, moved)
+    _UNKNOWN.add(surface)
     return None
 
 
@@ -99,6 +104,7 @@ def keep(surface: MeshSurface, drawing: MeshDrawing) -> MeshDrawing:
     """Draw a surface like that from now on; to be called from the thread that draws."""
     _DRAWINGS.pop(surface, None)
     _DRAWINGS[surface] = drawing
+    _UNKNOWN.clear()
     drawing.net.latest[:] = [drawing]
     while len(_DRAWINGS) > KEPT:
         del _DRAWINGS[next(iter(_DRAWINGS))]

@@ -38,6 +38,11 @@ class DrawnNet:
         return self.mesh.triangulation.triangles
 
     @cached_property
+    def corners(self) -> NDArray[np.int32]:
+        """(3, t) the same in three rows."""
+        return np.ascontiguousarray(self.triangles.T)
+
+    @cached_property
     def faces(self) -> NDArray[np.int32]:
         """(t,) the face of the mesh before in which each triangle lies."""
         return self.parents[self.mesh.triangulation.owners]

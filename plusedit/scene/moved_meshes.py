@@ -54,12 +54,12 @@ def moved_drawing(
 def _has_same_numbers(one: MeshSurface, other: MeshSurface) -> bool:
     return (
         one.parameters is other.parameters
+        and one.mesh is not other.mesh
         and one.mesh.vertices.shape == other.mesh.vertices.shape
         and one.domain == other.domain
         and (one.smoothness, one.s, one.area_weights)
         == (other.smoothness, other.s, other.area_weights)
         and one.factors is other.factors
-        and len(one.edited) == len(other.edited)
     )
 
 
@@ -69,22 +69,27 @@ def _way(surface: MeshSurface, other: MeshSurface) -> _Way | None:
     looked_at = np.unique(np.linspace(0, len(old) - 1, LOOKED_AT).astype(int))
     middle, image = old[looked_at].mean(axis=0), new[looked_at].mean(axis=0)
     linear = np.linalg.lstsq(old[looked_at] - middle, new[looked_at] - image, rcond=None)[0]
-    way = _Way(linear, middle, image)
-    slack = SLACK * surface.mesh.diagonal
-    if not _are_near(way.moved(old), new, slack):
+    way, slack = _Way(linear, middle, image), SLACK * surface.mesh.diagonal
+    if not _are_near(way.moved(old[looked_at]), new[looked_at], slack):
         return None
-    one, two = EditedPlanes.of(other.edited), EditedPlanes.of(surface.edited)
-    same = np.array_equal(one.faces, two.faces) and np.array_equal(one.given, two.given)
-    if not same:
+    if not _moves_edits(way, EditedPlanes.of(other.edited), EditedPlanes.of(surface.edited), slack):
         return None
-    points, edited_points = one.parts[0][one.given[0]], two.parts[0][one.given[0]]
-    vectors, edited_vectors = one.parts[1:][one.given[1:]], two.parts[1:][one.given[1:]]
-    slack_of_vectors = SLACK * float(np.abs(edited_vectors).max(initial=0.0))
-    if not _are_near(way.moved(points), edited_points, slack):
-        return None
-    return way if _are_near(vectors @ linear, edited_vectors, slack_of_vectors) else None
+    return way if _are_near(way.moved(old), new, slack) else None
+
+
+def _moves_edits(way: _Way, old: EditedPlanes, new: EditedPlanes, slack: float) -> bool:
+    """Whether the map brings edited planes to those of the same faces."""
+    if not (np.array_equal(old.faces, new.faces) and np.array_equal(old.given, new.given)):
+        return False
+    (points, vectors), (images, turned) = (
+        (edited.parts[0][edited.given[0]], edited.parts[1:][edited.given[1:]])
+        for edited in (old, new)
+    )
+    slack_of_vectors = SLACK * float(np.abs(turned).max(initial=0.0))
+    return _are_near(way.moved(points), images, slack) and _are_near(
+        vectors @ way.linear, turned, slack_of_vectors
+    )
 
 
 def _are_near(images: Floats, wanted: Floats, slack: float) -> bool:
-    off = np.abs(images - wanted)
-    return bool(off.max(initial=0.0) <= slack)
+    return bool(np.abs(images - wanted).max(initial=0.0) <= slack)
