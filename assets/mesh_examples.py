@@ -3,7 +3,7 @@
 All of their meshes are computed: a canyon that rivers have cut, a rabbit, and a knee.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from functools import cache
 
@@ -14,6 +14,7 @@ from surface_examples import Eye, scene
 from surface_nets import surface
 
 from plusedit.document.design import Design
+from plusedit.document.map_record import MapRecord, with_map
 from plusedit.document.shape import Style
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.mesh.domains import PillowDomain
@@ -61,6 +62,19 @@ def smooth(
     return MeshSurface(mesh, domain, np.round(parameters, digits) + 0.0)
 
 
+def mesh_scene(
+    layers: Iterable[tuple[str, MeshSurface, Style]], about: str, eye: Eye, overlays: str = ""
+) -> Design:
+    """A design of meshes, seen in space, that tells by which maps they got their parameters."""
+    made = scene(layers, about, eye, overlays)
+    for shape_id, found in made.meshes():
+        is_body = isinstance(found.domain, PillowDomain)
+        record = MapRecord("pillow" if is_body else "height_field")
+        shape = made.shapes[shape_id]
+        made = made.with_shape(shape_id, replace(shape, extra=with_map(shape.extra, record)))
+    return made
+
+
 # --- designs --------------------------------------------------------------------------------
 
 
@@ -72,7 +86,7 @@ def canyon() -> Design:
         " slider: with a larger S the gullies go first, then the cliffs."
     )
     eye = Eye((55.0, 41.0, 6.5), 88.0, 0.95, 0.55)
-    return scene([("canyon", land(101, 76), Style(ROCK))], about, eye)
+    return mesh_scene([("canyon", land(101, 76), Style(ROCK))], about, eye)
 
 
 def rabbit() -> Design:
@@ -82,7 +96,7 @@ def rabbit() -> Design:
         " closed, so its parameters come from a pillow: a flat sphere with four corners."
     )
     eye = Eye((0.05, 0.04, 1.06), 2.8, 0.5, 0.22)
-    return scene([("rabbit", body("rabbit"), Style(FUR))], about, eye)
+    return mesh_scene([("rabbit", body("rabbit"), Style(FUR))], about, eye)
 
 
 def knee() -> Design:
@@ -94,7 +108,7 @@ def knee() -> Design:
     eye = Eye((0.2, -0.4, 0.9), 32.5, 0.75, 0.18)
     colors = {"patella": CARTILAGE}
     layers = [(name, body(name), Style(colors.get(name, BONE))) for name in KNEE]
-    return scene(layers, about, eye)
+    return mesh_scene(layers, about, eye)
 
 
 @dataclass(frozen=True)
@@ -138,7 +152,7 @@ def figure_8() -> Design:
         for x, panel, letter in zip((-3.7, 0.0, 2.8), panels, "abcdef"[3 * row :], strict=False):
             placed = panel.at(np.array([x, 0.0, 1.75 - 3.5 * row]), smoothness)
             layers.append((f"({letter})", placed, Style(panel.color)))
-    return scene(layers, about, eye, "names")
+    return mesh_scene(layers, about, eye, "names")
 
 
 MESHES: tuple[Callable[[], Design], ...] = (figure_8, canyon, rabbit, knee)

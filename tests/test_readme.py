@@ -81,7 +81,7 @@ def run(code):
     return done.stdout
 
 
-@pytest.mark.parametrize("block", LIBRARY, ids=["curves", "surfaces"])
+@pytest.mark.parametrize("block", LIBRARY, ids=["curves", "surfaces", "meshes"])
 def test_the_library_prints_what_the_comments_say(block):
     said = re.findall(r"^print\(.*\) +# (.*)$", block, re.MULTILINE)
     assert len(said) == block.count("print(") > 0
