@@ -16,7 +16,7 @@ from plusedit.views.live import quiet, title
 from plusedit.views.magnitude_slider import MagnitudeSlider, Scale
 
 OF_FACTOR = Scale(
-    "local S",
+    "local smoothness",
     "By what S is multiplied at the selected faces: less keeps more detail there.\n"
     "Double-click: back to 1. Keys − and + or the wheel: 2 %.",
     8.0,
