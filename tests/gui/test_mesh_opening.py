@@ -12,12 +12,17 @@ from plusedit.app.mesh_opening import is_mesh, opened
 from plusedit.app.mesh_options import MeshOptionsDialog, offered_maps, options_of, tree_of
 from plusedit.app.mesh_report import MeshReportWindow
 from plusedit.commands.shapes import DeleteShapes, Rename, SetLocked
+from plusedit.document.design import Design
 from plusedit.document.selection import Selection
+from plusedit.document.shape import Shape
+from plusedit.geometry.mesh.domains import PlaneDomain
 from plusedit.geometry.mesh.maps import maps
+from plusedit.geometry.mesh.mesh_surface import MeshSurface
 from plusedit.io.formats import FormatError
 from plusedit.io.mesh_import import ImportOptions
 from plusedit.scene.drawn_mesh import known_drawing
 from tests.designs import a_design
+from tests.geometry.mesh.bodies import sheet
 
 pytestmark = pytest.mark.gui
 
@@ -303,7 +308,7 @@ def test_what_has_no_surface_is_said_in_a_sentence(tmp_path):
 
 def test_meshes_are_copied_and_pasted(window, cubes):
     window.files.open(cubes)
-    first, second = window.session.design
+    first, _ = window.session.design
     window.session.select(Selection.of_shapes([first]))
     assert window.clipboard.copy()
     window.clipboard.paste()
@@ -313,10 +318,12 @@ def test_meshes_are_copied_and_pasted(window, cubes):
     assert len(window.session.design) == 3
 
 
-def test_another_mesh_may_be_selected_at_once(qtbot, window, cubes):
-    window.files.open(cubes)
+def test_one_large_mesh_may_be_selected_after_another(window):
+    mesh = sheet(40, 40)
+    surface = MeshSurface(mesh, PlaneDomain(), mesh.vertices[mesh.corners, :2])
+    window.files.show(Design({name: Shape(surface, name) for name in "ab"}), None)
     table = window.docks.widget("lines_table")
-    for shape_id in [*window.session.design, *window.session.design]:
-        window.session.select(Selection.of_shapes([shape_id]))
+    for name in "abab":
+        window.session.select(Selection.of_shapes([name]))
         table.refresh()
         assert not table.model.rows
