@@ -7,7 +7,7 @@ blended: what was found and done on the way is in the report.
 import hashlib
 import os
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from types import MappingProxyType
 
@@ -19,7 +19,7 @@ from plusedit.document.shape import NOTHING, Shape, ShapeId, Tree
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.mesh.deviation import deviation
 from plusedit.geometry.mesh.mapping import Mapped, mapped
-from plusedit.geometry.mesh.maps import Progress, maps, silent
+from plusedit.geometry.mesh.maps import Progress, maps, share_of, silent
 from plusedit.geometry.mesh.mesh_surface import USUAL_SMOOTHNESS, MeshSurface
 from plusedit.geometry.mesh.polygons import PolygonMesh
 from plusedit.geometry.mesh.refine import FEWEST, needs_refining, refined
@@ -32,7 +32,8 @@ from plusedit.io.mesh_reading import read_mesh
 from plusedit.io.mesh_report import ImportReport, PartReport, faces_by_corners
 
 READ, REPAIRED = 0.15, 0.3  # of all the time, about
-MAPPED = 0.8  # of the time of one part, if its deviation is measured after
+MEASURED = 0.5  # of the time of one part, if its deviation is measured after
+MAPPED = 0.85  # of the time of one part before that
 CHUNK = 1 << 20  # bytes
 MOST = 256  # parts: crumbs beyond would take long and help nobody
 TIMES = 2  # that faces are split if some reach around half of the domain
@@ -169,10 +170,9 @@ def _parts(
     area = sum(float(part.mesh.areas.sum()) for part in taken)
     done, whole = 0, max(sum(part.mesh.face_count for part in taken), 1)
     for number, part in enumerate(taken, 1):
-        name = f"{stem} {number}" if several else stem
-        before = REPAIRED + (1.0 - REPAIRED) * done / whole
-        share = (1.0 - REPAIRED) * part.mesh.face_count / whole
-        told = _within_share(tell, before, share)
+        name, count = f"{stem} {number}" if several else stem, part.mesh.face_count
+        shares = (REPAIRED + (1.0 - REPAIRED) * faces / whole for faces in (done, done + count))
+        told = share_of(tell, *shares)
         try:
             found = _part(_Piece(read, part, name, area), options, told)
         except ValueError as error:
@@ -182,7 +182,7 @@ def _parts(
         else:
             parts.append(found)
             notes += [f"{name}: {note}" if several else note for note in found.report.notes]
-        done += part.mesh.face_count
+        done += count
     if len(mended.parts) > MOST:
         notes.append(f"{len(mended.parts) - MOST} smaller parts beside {MOST} were left out")
     tell(1.0, "Done")
@@ -190,24 +190,16 @@ def _parts(
 
 
 def _growing(tell: Progress) -> Progress:
-    """Progress that never goes back, though some of the work may have to be done again."""
+    """Progress that never goes back, though some of the work may have to be done again, and
+    speaks in sentences."""
     told = 0.0
 
     def growing(share: float, words: str) -> None:
         nonlocal told
         told = max(told, min(share, 1.0))
-        tell(told, words)
+        tell(told, words[:1].upper() + words[1:])
 
     return growing
-
-
-def _within_share(tell: Progress, before: float, share: float) -> Progress:
-    """Progress of a piece of the work that begins at `before`."""
-
-    def told(of_piece: float, words: str) -> None:
-        tell(before + share * min(of_piece, 1.0), words[:1].upper() + words[1:])
-
-    return told
 
 
 @dataclass(frozen=True, eq=False)
@@ -227,23 +219,32 @@ def _part(piece: _Piece, options: ImportOptions, tell: Progress) -> ImportedPart
     uv = None if read.uv is None else read.uv[part.corners]
     tell(0.0, "looking at the faces")
     mesh, uv, notes = _evened(part.mesh, uv, piece.area, options)
-    told = _within_share(tell, 0.0, MAPPED if options.measure else 1.0)
-    found, more = _mapped(mesh, uv, read.is_height_field, options, told)
+    told = share_of(tell, 0.0, MEASURED if options.measure else 1.0)
+    mapping = share_of(told, 0.0, MAPPED)
+    found, more = _mapped(mesh, uv, read.is_height_field, options, mapping)
     if options.refine and _reaches_around(mesh, found):
         split = mesh.subdivided(TIMES)
         notes += (f"the faces were split into {split.mesh.face_count}: some were half of the map",)
         mesh, uv = split.mesh, None if uv is None else split.along(uv)
-        found, more = _mapped(mesh, uv, read.is_height_field, options, told)
+        found, more = _mapped(mesh, uv, read.is_height_field, options, mapping)
+    told(MAPPED, "laying planes through the faces")
     surface = MeshSurface(
         mesh, found.domain, found.parameters, options.smoothness, options.s, options.area_weights
     )
     _ = surface.foundation.planes  # so that nobody who draws the surface has to wait for them
+    report = _report(piece, found, (*notes, *more, *found.notes))
     if options.measure:
-        tell(MAPPED, "measuring how far the surface is from the mesh")
-    component = part.mesh.topology.components[0]
-    report = PartReport(
+        tell(MEASURED, "measuring how far the surface is from the mesh")
+        report = replace(report, deviation=deviation(surface))
+    return ImportedPart(piece.name, surface, report)
+
+
+def _report(piece: _Piece, found: Mapped, notes: tuple[str, ...]) -> PartReport:
+    mesh = piece.part.mesh
+    component = mesh.topology.components[0]
+    return PartReport(
         piece.name,
-        faces_by_corners(part.mesh),
+        faces_by_corners(mesh),
         component.vertices,
         component.boundaries,
         component.handles,
@@ -251,10 +252,8 @@ def _part(piece: _Piece, options: ImportOptions, tell: Progress) -> ImportedPart
         found.title,
         found.why,
         found.flips,
-        (*notes, *more, *found.notes),
-        deviation(surface) if options.measure else None,
+        notes,
     )
-    return ImportedPart(piece.name, surface, report)
 
 
 def _reaches_around(mesh: PolygonMesh, found: Mapped) -> bool:

@@ -10,9 +10,9 @@ opposite to it, there are
                                                        the same from both ends, but negative where
                                                        gamma + delta > pi (Pinkall, Polthier 1993).
 
-Where a whole rim is given the former are taken. Elsewhere the latter, but at least a thousandth of the
-mean of the former from both ends: so they stay positive. More than that would be felt where the
-latter are zero, at the diagonals of rectangles, and twist what is made of them.
+Where a whole rim is given the former are taken. Elsewhere the latter, but at least a thousandth of
+the mean of the former from both ends: so they stay positive. More than that would be felt where
+the latter are zero, at the diagonals of rectangles, and twist what is made of them.
 """
 
 import numpy as np
