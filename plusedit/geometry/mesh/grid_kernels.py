@@ -26,6 +26,7 @@ Singles = NDArray[np.float32]
 
 NUMBERS = 14
 """Rows of a table: c (2), 1 / (2 sigma^2) by u and by v, W, P (3), s A (3), s B (3)."""
+EIGHT = 8  # planes or nodes worked on together
 WIDTH = 64  # nodes in a row of a grid; four rows, of D and of N, follow each other
 TAPS = 8  # nodes in a row that a place is interpolated from
 MARGIN = 3  # nodes before the origin of a grid
@@ -154,15 +155,18 @@ def gather(
 
 
 @compiled
-def add(u: float, v: float, table: Singles, count: int, rate: float, sums: Singles) -> None:
-    """Add D and N of the table's first planes at one place, one by one, and slopes times `rate`.
+def add(
+    u: float, v: float, table: Singles, chosen: NDArray[np.int64], count: int, sums: Singles
+) -> None:
+    """Add D and N of some planes at one place, and their slopes, one by one.
 
-    The count is a multiple of eight.
+    The first `count` of `chosen` are the numbers of eights of planes in the table.
     """
     stride = table.size // NUMBERS
     at_u, at_v, minus_two, floor = same(np.float32(u)), same(np.float32(v)), same(-TWO), same(ZERO)
     s = x = y = z = su = xu = yu = zu = sv = xv = yv = zv = same(ZERO)
-    for i in range(0, count, 8):
+    for k in range(count):
+        i = EIGHT * chosen[k]
         du, dv = minus(at_u, load(table, i)), minus(at_v, load(table, stride + i))
         tu, tv = times(du, load(table, 2 * stride + i)), times(dv, load(table, 3 * stride + i))
         g = exponential(minus(floor, fused(du, tu, times(dv, tv))))
@@ -182,16 +186,15 @@ def add(u: float, v: float, table: Singles, count: int, rate: float, sums: Singl
         value = fused(dv, b, fused(du, a, load(table, 7 * stride + i)))
         z = fused(g, value, z)
         zu, zv = fused(g, a, fused(gu, value, zu)), fused(g, b, fused(gv, value, zv))
-    steepness = np.float32(rate)
     sums[0] += total(s)
     sums[1] += total(x)
     sums[2] += total(y)
     sums[3] += total(z)
-    sums[4] += steepness * total(su)
-    sums[5] += steepness * total(xu)
-    sums[6] += steepness * total(yu)
-    sums[7] += steepness * total(zu)
-    sums[8] += steepness * total(sv)
-    sums[9] += steepness * total(xv)
-    sums[10] += steepness * total(yv)
-    sums[11] += steepness * total(zv)
+    sums[4] += total(su)
+    sums[5] += total(xu)
+    sums[6] += total(yu)
+    sums[7] += total(zu)
+    sums[8] += total(sv)
+    sums[9] += total(xv)
+    sums[10] += total(yv)
+    sums[11] += total(zv)

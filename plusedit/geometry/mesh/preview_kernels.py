@@ -1,10 +1,7 @@
-"""The loops of the fast preview around those of `grid_kernels`. Imported on request only.
+"""The sums of the fast preview, by grids and plane by plane. Imported on request only.
 
-See `preview` for the scheme. A *tile* is a row of neighboring places together with the planes of
-one tree that reach them.
+See `preview` for the scheme.
 """
-
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +9,7 @@ from numpy.typing import NDArray
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.mesh.compiling import compiled
 from plusedit.geometry.mesh.grid_kernels import (
+    EIGHT,
     NUMBERS,
     TAPS,
     WIDTH,
@@ -20,245 +18,10 @@ from plusedit.geometry.mesh.grid_kernels import (
     gather,
     spread,
 )
+from plusedit.geometry.mesh.tile_kernels import BLOCK, Counts, Scene, bounds_of, collect
 
-Counts = NDArray[np.int64]
-
-LEAF = 16  # planes
-BLOCK = 16  # places that look for their planes together where no grid is used
-TABLE = 512  # planes collected at a time for a grid
-SHORT = 512  # and for a block
-DEEPEST_LEVEL = 104  # bits in the order of places
-COLUMNS = 5
-"""Of the list of tiles: tree, first and last place, leaves of planes, 1 if a grid may be used."""
-
-
-class Scene(NamedTuple):
-    """Planes and what of them depends on the smoothness."""
-
-    counts: Counts
-    """(trees, 4) of each its first node, its leaves, its first plane, its planes"""
-    boxes: Floats
-    """(nodes, 4)"""
-    node_halves: Floats
-    """(nodes, 2) 1 / (2 sigma^2) of the widest plane below, by u and by v"""
-    centers: Floats
-    """(n, 2)"""
-    halves: Floats
-    """(n, 2) 1 / (2 sigma^2)"""
-    heights: Singles
-    """(n,) what planes taken for narrower than they are count more"""
-    values: Singles
-    """(n, 10) W, P, A, B for a scale of u and v"""
-    units: Floats
-    """(trees,) the spacing of grids"""
-    shifts: Floats
-    """(images, 2)"""
-    signs: Floats
-    """(images,)"""
-    images: NDArray[np.bool_]
-    """(trees, images) which may matter at all"""
-    numbers: Floats
-    """s, the depth (a plane counts where its exponent is above minus that), the scale"""
-
-
-@compiled
-def bring(box: Floats, shifts: Floats, signs: Floats, image: int, near: Floats) -> None:
-    """near = the box brought from an image to the planes themselves."""
-    for axis in range(2):
-        shift = shifts[image, axis]
-        if signs[image] > 0.0:
-            near[axis], near[axis + 2] = box[axis] - shift, box[axis + 2] - shift
-        else:
-            near[axis], near[axis + 2] = shift - box[axis + 2], shift - box[axis]
-
-
-@compiled
-def next_leaf(
-    boxes: Floats,
-    halves: Floats,
-    first: int,
-    leaves: int,
-    depth: float,
-    near: Floats,
-    stack: Counts,
-) -> int:
-    """The next leaf of which some plane may reach the box, or -1; stack[0] is its height."""
-    top = stack[0]
-    low_u, low_v, high_u, high_v = near[0], near[1], near[2], near[3]
-    while top > 0:
-        node = stack[top]
-        top -= 1
-        i = first + node
-        du = max(max(low_u - boxes[i, 2], boxes[i, 0] - high_u), 0.0)
-        dv = max(max(low_v - boxes[i, 3], boxes[i, 1] - high_v), 0.0)
-        if not du * du * halves[i, 0] + dv * dv * halves[i, 1] <= depth:
-            continue
-        if node >= leaves:
-            stack[0] = top
-            leaf: int = node - leaves
-            return leaf
-        stack[top + 1], stack[top + 2] = 2 * node, 2 * node + 1
-        top += 2
-    stack[0] = top
-    return -1
-
-
-@compiled
-def collect(
-    scene: Scene,
-    tree: int,
-    box: Floats,
-    unit: float,
-    near: Floats,
-    stack: Counts,
-    table: Singles,
-) -> int:
-    """Fill the table with planes that reach the box, relative to its corner; how many there are.
-
-    The last row of the stack is the image that is being looked through, and is left there for the
-    next call; 0 planes say that all have been found.
-    """
-    boxes, node_halves, centers, halves = (
-        scene.boxes,
-        scene.node_halves,
-        scene.centers,
-        scene.halves,
-    )
-    heights, values, signs, shifts = scene.heights, scene.values, scene.signs, scene.shifts
-    magnitude, depth, scale = scene.numbers[0], scene.numbers[1], scene.numbers[2]
-    first_node, leaves = scene.counts[tree, 0], scene.counts[tree, 1]
-    first, count = scene.counts[tree, 2], scene.counts[tree, 3]
-    room, last = table.shape[1], len(stack) - 1
-    filled = 0
-    for image in range(stack[last], len(signs)):
-        stack[last] = image
-        if not scene.images[tree, image]:
-            continue
-        if stack[0] == -1:
-            stack[0], stack[1] = 1, 1
-        bring(box, shifts, signs, image, near)
-        sign, along, across = signs[image], shifts[image, 0] - box[0], shifts[image, 1] - box[1]
-        pull = np.float32(sign * magnitude * unit / scale)
-        while True:
-            if filled > room - LEAF:
-                return filled
-            leaf = next_leaf(boxes, node_halves, first_node, leaves, depth, near, stack)
-            if leaf < 0:
-                break
-            for i in range(first + leaf * LEAF, first + min(leaf * LEAF + LEAF, count)):
-                u, v = centers[i, 0], centers[i, 1]
-                du = max(max(near[0] - u, u - near[2]), 0.0)
-                dv = max(max(near[1] - v, v - near[3]), 0.0)
-                if du * du * halves[i, 0] + dv * dv * halves[i, 1] > depth:
-                    continue
-                table[0, filled] = (sign * u + along) / unit
-                table[1, filled] = (sign * v + across) / unit
-                table[2, filled] = halves[i, 0] * unit * unit
-                table[3, filled] = halves[i, 1] * unit * unit
-                table[4, filled] = values[i, 0] * heights[i]
-                for c in range(3):
-                    table[5 + c, filled] = values[i, 1 + c]
-                    table[8 + c, filled] = values[i, 4 + c] * pull
-                    table[11 + c, filled] = values[i, 7 + c] * pull
-                filled += 1
-        stack[0] = -1
-    stack[last] = len(signs)
-    return filled
-
-
-@compiled
-def leaves_near(
-    scene: Scene, tree: int, box: Floats, near: Floats, stack: Counts, most: int
-) -> int:
-    """How many leaves, of all images, may reach the box; no more are counted than `most`."""
-    found = 0
-    boxes, halves, depth = scene.boxes, scene.node_halves, scene.numbers[1]
-    first, leaves = scene.counts[tree, 0], scene.counts[tree, 1]
-    for image in range(len(scene.signs)):
-        if not scene.images[tree, image]:
-            continue
-        bring(box, scene.shifts, scene.signs, image, near)
-        stack[0], stack[1] = 1, 1
-        while found < most and next_leaf(boxes, halves, first, leaves, depth, near, stack) >= 0:
-            found += 1
-    return found
-
-
-@compiled
-def tiles(
-    scene: Scene,
-    codes: NDArray[np.uint64],
-    low: Floats,
-    extent: float,
-    out: Counts,
-) -> int:
-    """List the tiles, each no larger than its grid may be; how many there are.
-
-    `codes` (m, 2) are the bits of the places in their order, and `low` and `extent` the square
-    that they divide. Of more tiles than `out` has rows only the number is told.
-    """
-    box, near, stack = np.empty(4), np.empty(4), np.empty(160, np.int64)
-    ranges, corners = np.empty((256, 3), np.int64), np.empty((256, 2))
-    found = 0
-    for tree in range(len(scene.units)):
-        side = scene.units[tree] * (WIDTH - TAPS - 1)
-        ranges[0, 0], ranges[0, 1], ranges[0, 2] = 0, len(codes), 0
-        corners[0, 0], corners[0, 1] = low[0], low[1]
-        waiting = 1
-        while waiting > 0:
-            waiting -= 1
-            start, stop, level = ranges[waiting, 0], ranges[waiting, 1], ranges[waiting, 2]
-            u, v = corners[waiting, 0], corners[waiting, 1]
-            # v is halved first.
-            side_u, side_v = extent * 0.5 ** (level // 2), extent * 0.5 ** ((level + 1) // 2)
-            box[0], box[1], box[2], box[3] = u, v, u + side_u, v + side_v
-            fits = side_u <= side and side_v <= side
-            small = fits or stop - start <= BLOCK or level >= DEEPEST_LEVEL
-            planes = leaves_near(scene, tree, box, near, stack, 1 << 30 if small else 1)
-            if planes == 0:
-                continue
-            if small:
-                if found < len(out):
-                    out[found, 0], out[found, 1] = tree, start
-                    out[found, 2], out[found, 3] = stop, planes
-                    out[found, 4] = 1 if fits else 0
-                found += 1
-                continue
-            split = first_upper(codes, start, stop, level)
-            over_u, over_v = (0.0, 0.5 * side_v) if level % 2 == 0 else (0.5 * side_u, 0.0)
-            if split < stop:
-                ranges[waiting, 0], ranges[waiting, 1], ranges[waiting, 2] = split, stop, level + 1
-                corners[waiting, 0], corners[waiting, 1] = u + over_u, v + over_v
-                waiting += 1
-            if split > start:
-                ranges[waiting, 0], ranges[waiting, 1], ranges[waiting, 2] = start, split, level + 1
-                corners[waiting, 0], corners[waiting, 1] = u, v
-                waiting += 1
-    return found
-
-
-@compiled
-def first_upper(codes: NDArray[np.uint64], start: int, stop: int, level: int) -> int:
-    """The first place in the upper half, where those from start to stop are halved at a level."""
-    column = level // (DEEPEST_LEVEL // 2)
-    place = np.uint64(DEEPEST_LEVEL // 2 - 1 - level % (DEEPEST_LEVEL // 2))
-    while start < stop:
-        middle = (start + stop) // 2
-        if (codes[middle, column] >> place) & np.uint64(1):
-            stop = middle
-        else:
-            start = middle + 1
-    return start
-
-
-@compiled
-def bounds_of(places: Floats, start: int, stop: int, box: Floats) -> None:
-    """box = least u, least v, largest u, largest v."""
-    for axis in range(2):
-        box[axis] = box[axis + 2] = places[start, axis]
-        for p in range(start + 1, stop):
-            box[axis] = min(box[axis], places[p, axis])
-            box[axis + 2] = max(box[axis + 2], places[p, axis])
+FEW = 4  # places that choose together among the planes found for a block
+TABLE = 512  # planes collected at a time
 
 
 @compiled
@@ -314,9 +77,10 @@ def by_grids(scene: Scene, places: Floats, weights: Singles, rows: Counts, sums:
 def one_by_one(scene: Scene, places: Floats, rows: Counts, sums: Singles) -> None:
     """The same without grids, for tiles with few places or planes."""
     box, near, stack = np.empty(4), np.empty(4), np.empty(160, np.int64)
-    table = np.empty(NUMBERS * SHORT, np.float32)
-    numbers = table.reshape(NUMBERS, SHORT)
-    unit = scene.numbers[2]
+    table = np.empty(NUMBERS * TABLE, np.float32)
+    numbers = table.reshape(NUMBERS, TABLE)
+    bounds, chosen = np.empty((TABLE // EIGHT, 6)), np.empty(TABLE // EIGHT, np.int64)
+    few, unit, depth = np.empty(4), scene.numbers[2], scene.numbers[1]
     for t in range(len(rows)):
         tree, first, last = rows[t, 0], rows[t, 1], rows[t, 2]
         for start in range(first, last, BLOCK):
@@ -327,13 +91,51 @@ def one_by_one(scene: Scene, places: Floats, rows: Counts, sums: Singles) -> Non
                 count = collect(scene, tree, box, unit, near, stack, numbers)
                 if count == 0:
                     break
-                padded = (count + 7) & ~7
-                for i in range(count, padded):
-                    for row in range(NUMBERS):
-                        numbers[row, i] = np.float32(0.0)
-                for p in range(start, stop):
-                    u, v = (places[p, 0] - box[0]) / unit, (places[p, 1] - box[1]) / unit
-                    add(u, v, table, padded, 1.0, sums[p])
+                eights = bounds_of_eights(numbers, count, bounds)
+                for begin in range(start, stop, FEW):
+                    end = min(begin + FEW, stop)
+                    bounds_of(places, begin, end, few)
+                    for axis in range(2):
+                        few[axis] = (few[axis] - box[axis]) / unit
+                        few[axis + 2] = (few[axis + 2] - box[axis]) / unit
+                    found = eights_near(bounds, eights, few, depth, chosen)
+                    for p in range(begin, end):
+                        u, v = (places[p, 0] - box[0]) / unit, (places[p, 1] - box[1]) / unit
+                        add(u, v, table, chosen, found, sums[p])
+
+
+@compiled
+def bounds_of_eights(table: Singles, count: int, bounds: Floats) -> int:
+    """Of every eight planes their box and the least 1 / (2 sigma^2); how many eights there are.
+
+    The last eight are filled up with planes without weight.
+    """
+    eights = (count + EIGHT - 1) // EIGHT
+    for i in range(count, EIGHT * eights):
+        for row in range(NUMBERS):
+            table[row, i] = table[row, count - 1] if row < 4 else np.float32(0.0)
+    for k in range(eights):
+        for axis in range(2):
+            low = high = table[axis, EIGHT * k]
+            widest = table[2 + axis, EIGHT * k]
+            for i in range(EIGHT * k + 1, EIGHT * (k + 1)):
+                low, high = min(low, table[axis, i]), max(high, table[axis, i])
+                widest = min(widest, table[2 + axis, i])
+            bounds[k, axis], bounds[k, 2 + axis], bounds[k, 4 + axis] = low, high, widest
+    return eights
+
+
+@compiled
+def eights_near(bounds: Floats, count: int, box: Floats, depth: float, chosen: Counts) -> int:
+    """The numbers of the eights of which some plane may reach the box; how many."""
+    found = 0
+    for k in range(count):
+        du = max(max(box[0] - bounds[k, 2], bounds[k, 0] - box[2]), 0.0)
+        dv = max(max(box[1] - bounds[k, 3], bounds[k, 1] - box[3]), 0.0)
+        chosen[found] = k
+        # Without a branch, of which every second would be foretold wrongly.
+        found += 1 if du * du * bounds[k, 4] + dv * dv * bounds[k, 5] <= depth else 0
+    return found
 
 
 @compiled

@@ -20,7 +20,7 @@ from plusedit.geometry.mesh.ordering import ordered
 from plusedit.geometry.mesh.planes import FacePlanes
 
 if TYPE_CHECKING:
-    from plusedit.geometry.mesh.preview_kernels import Scene
+    from plusedit.geometry.mesh.tile_kernels import Scene
 
 SPACING = 0.4  # of grids, in units of the least sigma of a tree
 REACH = 5.3  # sigma: farther planes are left out
@@ -29,12 +29,11 @@ SMALL = 0.7  # S below which a grid is too coarse for the few planes at a place
 WIDTH = 56  # nodes across a tile
 
 # Nanoseconds, to choose between two ways: only their ratios count.
-PER_PAIR = 4.0  # a plane at a place
+PER_PAIR = 3.0  # a plane at a place
 PER_PLANE = 250.0  # a plane at the nodes of a grid
 PER_PLACE = 100.0  # a place at a grid
 PER_TILE = 5000.0
 TILES = 1 << 13  # room for these at first
-STRETCH = 1024  # places that one thread goes through at a time, where there are no tiles
 
 Singles = NDArray[np.float32]
 Counts = NDArray[np.int64]
@@ -55,16 +54,22 @@ class Target:
     """(m, 2) in that order"""
     box: Floats
     """(2, 2) the least u and v, and the largest"""
+    blocks: Counts
+    """(k, 2) the first and after the last of places that are near each other"""
 
     @classmethod
     def of(cls, domain: Domain, places: Floats) -> "Target":
         """Those of at least one place (m, 2); ValueError where they are not finite."""
+        from plusedit.geometry.mesh.tile_kernels import blocks as listed_blocks
+
         inside = domain.reduced(places)
         if not np.isfinite(inside).all():
             raise ValueError("places: has a value that is not finite")
         found = ordered(inside)
         box = np.stack([inside.min(axis=0), inside.max(axis=0)])
-        return cls(found.order, found.codes, found.low, found.extent, inside[found.order], box)
+        blocks = _listed(partial(listed_blocks, found.codes), 2)
+        places = inside[found.order]
+        return cls(found.order, found.codes, found.low, found.extent, places, box, blocks)
 
 
 def solitary(smoothness: float) -> float:
@@ -78,13 +83,13 @@ def sums(wood: Forest, planes: FacePlanes, target: Target, smoothness: float, s:
     Points are measured from the forest's middle and by its size, u and v by the target's extent.
     """
     from plusedit.geometry.mesh import preview_kernels as kernels
+    from plusedit.geometry.mesh.tile_kernels import COLUMNS
 
     places = target.places
     if _is_small(wood, target, smoothness):
         scene = scene_of(wood, wood.whole, planes, target, smoothness, s)
-        starts = np.arange(0, len(places), STRETCH)
-        rows = np.zeros((len(starts), kernels.COLUMNS), dtype=np.int64)
-        rows[:, 1], rows[:, 2] = starts, np.append(starts[1:], len(places))
+        rows = np.zeros((len(target.blocks), COLUMNS), dtype=np.int64)
+        rows[:, 1:3] = target.blocks
         return _in_turns([(partial(kernels.one_by_one, scene, places), rows)], len(places))
     scene = scene_of(wood, wood.parted, planes, target, smoothness, s)
     rows = _tiles(scene, target)
@@ -99,22 +104,29 @@ def sums(wood: Forest, planes: FacePlanes, target: Target, smoothness: float, s:
 def _is_small(wood: Forest, target: Target, smoothness: float) -> bool:
     """Whether going through the planes of every place is right."""
     count = len(wood.whole.order)
-    # Sixteen places look together, and see the planes of all; 76 S^2 lie within 5 sigma.
-    seen = 60.0 + 220.0 * smoothness**2
+    # Places that look together see the planes of all; 76 S^2 lie within 5 sigma of one.
+    seen = 100.0 + 220.0 * smoothness**2
     pairs = len(target.places) * min(seen, count) * PER_PAIR
     trees = len(wood.parted.trees)
-    grids = 1.7 * count * PER_PLANE + len(target.places) * trees * PER_PLACE
+    # A plane's nodes are in several tiles.
+    grids = 4.0 * count * PER_PLANE + len(target.places) * trees * PER_PLACE
     return smoothness < SMALL or pairs < grids
 
 
 def _tiles(scene: "Scene", target: Target) -> Counts:
-    """(k, 5) the tiles, as `preview_kernels` has them."""
-    from plusedit.geometry.mesh import preview_kernels as kernels
+    """(k, 5) the tiles, as `tile_kernels` has them."""
+    from plusedit.geometry.mesh import tile_kernels as kernels
 
+    work = partial(kernels.tiles, scene, target.codes, target.low, target.extent)
+    return _listed(work, kernels.COLUMNS)
+
+
+def _listed(work: Callable[[Counts], int], columns: int) -> Counts:
+    """The rows that the work fills in and counts, as many as there are."""
     room = TILES
     while True:
-        rows = np.empty((room, kernels.COLUMNS), dtype=np.int64)
-        count = kernels.tiles(scene, target.codes, target.low, target.extent, rows)
+        rows = np.empty((room, columns), dtype=np.int64)
+        count = work(rows)
         if count <= room:
             return rows[:count]
         room = count
@@ -157,7 +169,7 @@ def scene_of(
     wood: Forest, grove: Grove, planes: FacePlanes, target: Target, smoothness: float, s: float
 ) -> "Scene":
     """All that the loops need to know of a surface."""
-    from plusedit.geometry.mesh.preview_kernels import Scene
+    from plusedit.geometry.mesh.tile_kernels import Scene
 
     domain = wood.foundation.domain
     bounded = min(max(smoothness, LEAST), MOST)
