@@ -1,11 +1,18 @@
 """Surfaces of meshes in the window."""
 
+from functools import partial
+from threading import Event
+
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 
+from plusedit.commands.meshes import SetSmoothness
+from plusedit.commands.shapes import AddShapes, SetVisible
 from plusedit.document.selection import Selection
-from plusedit.scene.drawn_mesh import known_drawing
+from plusedit.document.shape import Shape, ShapeId
+from plusedit.scene.drawn_mesh import known_drawing, previewed
+from plusedit.views import mesh_evaluation
 from plusedit.views.mesh_form import MeshForm
 from plusedit.views.panels.inspector import Inspector
 from plusedit.views.sketch import sketch_of
@@ -148,3 +155,89 @@ def test_the_inspector_shows_and_takes_the_numbers_of_a_mesh(qtbot, landscape):
 def test_a_small_picture_shows_a_mesh(window):
     image = sketch_of(a_landscape(), (120, 90), transparent=True)
     assert image.pixelColor(60, 45).alpha() == 255
+
+
+def test_nothing_is_done_once_all_is_exact(landscape):
+    meshes = landscape.panes.meshes
+    assert not meshes.is_busy
+    assert not meshes._glance.isActive()
+    assert not meshes._rest.isActive()
+
+
+def test_hidden_meshes_are_evaluated_when_they_are_shown(qtbot, window):
+    window.files.show(a_landscape(visible=False), None)
+    settle(qtbot, window)
+    assert known_drawing(hill(window)) is None
+    window.session.commit(SetVisible((HILL,), True))
+    settle(qtbot, window)
+    assert known_drawing(hill(window)).is_exact
+
+
+def test_undo_and_redo_draw_what_was_drawn(qtbot, landscape):
+    before = known_drawing(hill(landscape))
+    landscape.session.commit(SetSmoothness({HILL: 2.0}))
+    settle(qtbot, landscape)
+    after = known_drawing(hill(landscape))
+    landscape.session.undo()
+    assert known_drawing(hill(landscape)) is before
+    landscape.session.redo()
+    assert known_drawing(hill(landscape)) is after
+    assert not landscape.panes.meshes._job
+
+
+def is_longer(row, count):
+    return len(row) > count
+
+
+def test_meshes_that_are_edited_together_take_turns(qtbot, landscape, monkeypatch):
+    other = ShapeId("other")
+    shape = Shape(a_hill(5), "Other")
+    landscape.session.commit(AddShapes(((other, shape),)))
+    settle(qtbot, landscape)
+    done = []
+
+    def noted(surface, before):
+        done.append(surface.mesh)
+        return previewed(surface, before)
+
+    monkeypatch.setattr(mesh_evaluation, "previewed", noted)
+    for smoothness in (1.0, 1.5, 2.0, 2.5):
+        landscape.session.preview(SetSmoothness({HILL: smoothness, other: smoothness}))
+        qtbot.waitUntil(partial(is_longer, done, len(done)), timeout=20000)
+    meshes = {id(mesh) for mesh in done}
+    assert len(meshes) == 2
+    landscape.session.abort()
+
+
+def test_an_evaluation_ends_when_its_surface_is_no_longer_shown(qtbot, landscape, monkeypatch):
+    begun, ended = Event(), Event()
+
+    def endless(surface, before, check):
+        begun.set()
+        while True:
+            try:
+                check()
+            except Exception:
+                ended.set()
+                raise
+
+    monkeypatch.setattr(mesh_evaluation, "evaluated", endless)
+    landscape.session.commit(SetSmoothness({HILL: 2.0}))
+    qtbot.waitUntil(begun.is_set, timeout=20000)
+    monkeypatch.undo()
+    landscape.session.commit(SetSmoothness({HILL: 3.0}))
+    qtbot.waitUntil(ended.is_set, timeout=20000)
+    settle(qtbot, landscape)
+    assert known_drawing(hill(landscape)).is_exact
+
+
+def test_views_are_drawn_anew_only_with_something_new(qtbot, landscape, monkeypatch):
+    asked = []
+    monkeypatch.setattr(landscape.panes.plane, "update", lambda *region: asked.append(region))
+    landscape.session.preview(SetSmoothness({HILL: 2.0}))
+    assert not asked
+    qtbot.waitUntil(lambda: known_drawing(hill(landscape)) is not None, timeout=20000)
+    assert asked
+    asked.clear()
+    landscape.session.abort()
+    assert asked

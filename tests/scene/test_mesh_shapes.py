@@ -1,18 +1,26 @@
 """What surfaces of meshes look like, and how long what was evaluated is kept."""
 
+import gc
 from dataclasses import replace
+from weakref import ref
 
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
+from plusedit.document.design import Design
 from plusedit.document.selection import Selection
 from plusedit.document.shape import Style
+from plusedit.geometry.mesh.evaluation import points_and_normals
+from plusedit.geometry.mesh.mesh_surface import MeshSurface
+from plusedit.scene import drawn_mesh
 from plusedit.scene.camera import AXES, PlaneCamera
 from plusedit.scene.drawn_mesh import (
     drawing_of,
     keep,
+    known_before,
     known_drawing,
+    looks_alike,
     previewed,
 )
 from plusedit.scene.framing import framed
@@ -30,6 +38,7 @@ from tests.scene.meshes import HILL, a_hill, a_landscape
 
 CAMERA = SpaceCamera((800.0, 600.0), (0.5, 0.5, 0.2), 2.0)
 BARE = ViewOptions(overlays=frozenset(), handles="none", isolines=False)
+MIRRORED = np.array([[0.6, -0.8, 0.1], [0.8, 0.6, 0.0], [0.2, 0.0, -1.5]])
 TURN = np.array([[0.6, -0.8, 0.0], [0.8, 0.6, 0.0], [0.0, 0.0, 1.0]])
 
 
@@ -134,6 +143,85 @@ def test_a_surface_with_an_edited_plane_is_not_taken_for_the_one_before():
     edited = surface.with_plane(3, point=[0.0, 0.0, 9.0])
     assert known_drawing(edited) is None
     assert drawing_of(edited).points[:, 2].max() > 1.0
+
+
+@pytest.mark.parametrize("made", [a_hill, torus])
+def test_a_surface_moved_with_its_edited_planes_is_drawn_at_once(made):
+    surface = made(s=0.8).with_plane(5, point=[0.1, 0.2, 0.9], gradient_u=[1.0, 0.5, 0.0])
+    drawing_of(surface)
+    moved = surface.transformed(MIRRORED, [1.0, -2.0, 3.0])
+    shown = known_drawing(moved)
+    points, normals = points_and_normals(moved, shown.net.places)
+    assert_allclose(shown.points, points, atol=1e-11)
+    assert_allclose(shown.normals, normals, atol=1e-6)
+    assert known_drawing(moved.with_plane(5, point=[0.0, 0.0, 9.0])) is None
+
+
+def test_the_drawing_has_the_normals_of_the_surface():
+    surface = a_hill(smoothness=1.5)
+    drawing = drawing_of(surface)
+    assert_array_equal(drawing.normals, points_and_normals(surface, drawing.net.places)[1])
+    assert_allclose(previewed(surface).normals, drawing.normals, atol=1e-3)
+
+
+def test_fronts_are_those_of_the_faces_whatever_the_sense_of_the_parameters():
+    surface = a_hill(smoothness=1.5)
+    swapped = MeshSurface(surface.mesh, surface.domain, surface.parameters[:, ::-1], smoothness=1.5)
+    assert net_of(surface).sides is None
+    for drawing in (drawing_of(swapped), previewed(swapped)):
+        assert (drawing.normals[:, 2] > 0.0).all()
+
+
+def test_after_an_edit_only_what_it_reaches_is_evaluated(monkeypatch):
+    surface = a_hill(12, smoothness=0.3)
+    before = drawing_of(surface)
+    edited = surface.with_plane(3, point=[0.05, 0.3, 0.5])
+    evaluated_at = []
+
+    def noted(surface, places, *rest):
+        evaluated_at.append(len(places))
+        return points_and_normals(surface, places, *rest)
+
+    monkeypatch.setattr(drawn_mesh, "points_and_normals", noted)
+    for drawing in (previewed(edited, known_before(edited)), drawing_of(edited)):
+        assert drawing.is_exact
+        points, normals = points_and_normals(edited, drawing.net.places)
+        assert_allclose(drawing.points, points, atol=1e-12)
+        assert_allclose(drawing.normals, normals, atol=1e-9)
+    assert max(evaluated_at) < 0.5 * len(before.points)
+
+
+def test_local_factors_are_taken_from_the_drawing_before_as_well():
+    surface = a_hill(12, smoothness=0.3)
+    drawing_of(surface)
+    factors = np.ones(surface.mesh.face_count)
+    factors[:3] = 2.0
+    sharper = surface.with_factors(factors)
+    assert known_before(sharper).surface is surface
+    assert_allclose(drawing_of(sharper).points, sharper.at(net_of(surface).places), atol=1e-12)
+    assert net_of(sharper) is net_of(surface)
+
+
+def test_designs_look_alike_while_what_differs_is_yet_to_be_evaluated():
+    surface = a_hill()
+    drawing_of(surface)
+    smoother = surface.with_smoothness(3.0)
+    before, after = a_landscape(surface), a_landscape(smoother)
+    assert looks_alike(before, after)
+    assert not looks_alike(before, a_landscape(smoother, visible=False))
+    assert not looks_alike(before, a_landscape(surface.with_plane(3, point=[0.0, 0.0, 9.0])))
+    assert not looks_alike(before, Design())
+    drawing_of(smoother)
+    assert not looks_alike(before, after)
+
+
+def test_what_is_no_longer_there_leaves_nothing_behind():
+    surface = a_hill()
+    mesh = ref(surface.mesh)
+    drawing_of(surface)
+    del surface
+    gc.collect()
+    assert mesh() is None
 
 
 # In space

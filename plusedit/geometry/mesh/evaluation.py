@@ -32,7 +32,8 @@ FLAT = 1.5  # periods: a Gaussian so wide, with all its images, is a constant
 LEAST, MOST = 1e-60, 1e60  # smoothness: with less there are steps, with more constants
 BESIDE = 1e-3  # of the least sigma: so far from a cone point normals are taken
 AT = 1e-13  # of parameters: no farther from a cone point is at it
-SHARE = 256  # places evaluated by one thread at a time: with S = 16 that takes half a second
+SHARE = 256  # places evaluated by one thread at a time, with S up to 3
+LEAST_SHARE = 32  # with S from 8 on
 
 Check: TypeAlias = Callable[[], object]
 """Called now and then, in any thread; what it raises ends the evaluation."""
@@ -203,15 +204,26 @@ def _evaluator() -> Evaluator:
                 found[rows],
             ),
             len(places),
+            share_with(prepared.widths[0]),
             check,
         )
 
     return by_kernels
 
 
-def in_shares(work: Callable[[slice], object], count: int, check: Check = unchecked) -> None:
-    """Have the rows 0 to count worked through, on as many threads as there are processors."""
-    shares = [slice(start, start + SHARE) for start in range(0, count, SHARE)]
+def share_with(smoothness: float) -> int:
+    """Places that are evaluated in some ten milliseconds, however many planes count at each."""
+    return int(max(LEAST_SHARE, min(SHARE, 8.0 * SHARE / smoothness**2)))
+
+
+def in_shares(
+    work: Callable[[slice], object], count: int, share: int, check: Check = unchecked
+) -> None:
+    """Have the rows 0 to count worked through, on as many threads as there are processors.
+
+    `share` rows at a time; what `check` raises between them.
+    """
+    shares = [slice(start, start + share) for start in range(0, count, share)]
 
     def checked(rows: slice) -> None:
         check()
