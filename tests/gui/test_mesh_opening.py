@@ -177,12 +177,13 @@ def test_the_form_gives_back_what_it_was_filled_with(qtbot, options):
         {},
         {"smoothness": "much", "map": 3, "refine": "yes"},
         {"smoothness": 1e9, "map": "no such map", "measure": None},
-        {"smoothness": True, "map": ["pillow"]},
+        {"smoothness": True, "map": ["pillow"], "up": ["y"]},
     ],
 )
 def test_whatever_is_remembered_there_are_options(tree):
     found = options_of(tree)
-    assert (found.map_name, found.refine, found.measure) == (None, True, True)
+    assert (found.map_name, found.up) == (None, None)
+    assert (found.refine, found.measure) == (True, True)
     assert found.smoothness in (ImportOptions().smoothness, 1.0)
 
 
