@@ -46,27 +46,30 @@ def distances(graph: Graph, vertex: int) -> Floats:
     return found
 
 
-def farthest_points(sheet: Sheet, graph: Graph, count: int) -> list[int]:
-    """Vertices of the mesh far from each other, each the farthest from those before."""
+def farthest_points(sheet: Sheet, graph: Graph, count: int) -> tuple[list[int], Floats]:
+    """Vertices of the mesh far from each other, each the farthest from those before.
+
+    Then (count, n) how far all vertices are from each of them.
+    """
     candidates = np.zeros(len(sheet.points), dtype=np.bool_)
     candidates[sheet.triangles[: sheet.own].ravel()] = True
     start = int(np.flatnonzero(candidates)[0])
-    nearest = _among(distances(graph, start), candidates)
-    chosen = [int(nearest.argmax())]
-    nearest = _among(distances(graph, chosen[0]), candidates)
+    chosen = [int(_among(distances(graph, start), candidates).argmax())]
+    away = [distances(graph, chosen[0])]
+    nearest = _among(away[0], candidates)
     while len(chosen) < count:
         chosen.append(int(nearest.argmax()))
-        nearest = np.minimum(nearest, _among(distances(graph, chosen[-1]), candidates))
-    return chosen
+        away.append(distances(graph, chosen[-1]))
+        nearest = np.minimum(nearest, _among(away[-1], candidates))
+    return chosen, np.array(away)
 
 
 def _among(away: Floats, candidates: Flags) -> Floats:
     return np.where(candidates & np.isfinite(away), away, -1.0)
 
 
-def shortest_chain(graph: Graph, points: Sequence[int]) -> list[int]:
-    """The points in the order of the shortest chain through them."""
-    away = np.array([distances(graph, point)[list(points)] for point in points])
+def shortest_chain(points: Sequence[int], away: Floats) -> list[int]:
+    """The points in the order of the shortest chain through them, `away` (k, k) from each other."""
     orders = [row for row in permutations(range(len(points))) if row[0] < row[-1]]
     best = min(orders, key=lambda row: sum(away[a, b] for a, b in pairwise(row)))
     return [points[place] for place in best]

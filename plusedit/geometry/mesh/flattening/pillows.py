@@ -27,6 +27,7 @@ from plusedit.geometry.mesh.flattening.lattices import reduced_basis
 from plusedit.geometry.mesh.flattening.paths import (
     Graph,
     chain_paths,
+    distances,
     edge_graph,
     farthest_points,
     half_edges_along,
@@ -60,9 +61,9 @@ def pillow_layout(sheet: Sheet, cone_points: tuple[int, ...], progress: Progress
     progress(0.9, "fitting its width")
     # Of period one by u and v, as seen from the chain; then by the shortest periods.
     places = chart.places(sheet, parameters) * (0.5, 1.0)
-    change = reduced_basis(energies(sheet, places))
-    places = places @ change.T
     energy = energies(sheet, places)
+    change = reduced_basis(energy)
+    energy, places = change @ energy @ change.T, places @ change.T
     width = float(0.5 * np.sqrt(energy[1, 1] / energy[0, 0]))
     width = float(np.clip(width, 1.0 / WIDEST, WIDEST))
     corners = np.round(2.0 * (CORNERS * (0.5, 1.0)) @ change.T).astype(np.intp) % 2
@@ -82,14 +83,15 @@ def cone_chain(
         points = list(cone_points)
         if len(set(points)) != 4:
             raise ValueError(f"cone points: a pillow has four different ones, got {points}")
-        points = shortest_chain(graph, points)
+        away = np.array([distances(graph, point)[points] for point in points])
+        points = shortest_chain(points, away)
         paths = chain_paths(graph, points)
         if not paths:
             raise ValueError(f"cone points: no paths without crossings join {points}")
         return points, paths
-    points = farthest_points(sheet, graph, 4)
+    points, away = farthest_points(sheet, graph, 4)
     if len(set(points)) == 4:
-        points = shortest_chain(graph, points)
+        points = shortest_chain(points, away[:, points])
         if paths := chain_paths(graph, points):
             return points, paths
     path = path_of_four(sheet, graph, points)

@@ -34,8 +34,9 @@ class Torus:
         found = solution(sheet, conformal_weights(sheet), pin, chart, progress=told)
         places = chart.places(sheet, found)
         subject.progress(0.9, "fitting the periods")
-        places = places @ reduced_basis(energies(sheet, places)).T
         energy = energies(sheet, places)
+        change = reduced_basis(energy)
+        energy, places = change @ energy @ change.T, places @ change.T
         height = float(np.sqrt(energy[0, 0] / energy[1, 1]))
         height = float(np.clip(height, 1.0 / LONGEST, LONGEST))
         places[..., 1] *= height
