@@ -16,7 +16,7 @@ from plusedit.interaction.gesture import FIRST_TOOL
 from plusedit.interaction.making_actions import FROM_CURVES, NEW
 from plusedit.interaction.tool import tools
 from plusedit.scene.options import Handles, Shading, ShownPanes
-from plusedit.scene.overlays import in_order
+from plusedit.scene.overlays import GROUPS, in_order
 
 if TYPE_CHECKING:
     from plusedit.app.window import MainWindow
@@ -174,9 +174,9 @@ def view_entries(window: "MainWindow") -> Iterator[Entry]:
             lambda shown=shown: view.show_panes(shown), (key,), 0,  # type: ignore[misc]
             checked=lambda shown=shown: view.panes == shown,  # type: ignore[misc]
         )  # fmt: skip
-    for overlay in in_order():
+    for overlay in sorted(in_order(), key=lambda entry: GROUPS.index(entry.group)):
         yield Entry(
-            f"overlay.{overlay.name}", overlay.title, "View",
+            f"overlay.{overlay.name}", overlay.title, _menu_of(overlay.group),
             lambda name=overlay.name: view.toggle_overlay(name),  # type: ignore[misc]
             (overlay.shortcut,) if overlay.shortcut else (), 1,
             checked=lambda name=overlay.name: name in view.options.overlays,  # type: ignore[misc]
@@ -224,6 +224,10 @@ def view_entries(window: "MainWindow") -> Iterator[Entry]:
         )  # fmt: skip
     yield Entry("full_screen", "Full screen", "View", window.toggle_full_screen, ("F11",), 8,
                 checked=window.isFullScreen)  # fmt: skip
+
+
+def _menu_of(group: str) -> str:
+    return f"View/{group}" if group else "View"
 
 
 def help_entries(window: "MainWindow") -> Iterator[Entry]:

@@ -35,7 +35,7 @@ scale, with a legend in a corner. Only one overlay colors surfaces at a time.
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
-from typing import Literal, TypeAlias
+from typing import Literal, TypeAlias, get_args
 
 from plusedit.document.design import Design
 from plusedit.document.shape import Geometry, Shape, ShapeId
@@ -50,6 +50,9 @@ from plusedit.scene.items import Item
 from plusedit.scene.mesh_drawing import MeshDrawing
 
 Taken: TypeAlias = Literal["curve", "surface", "mesh"]
+Group: TypeAlias = Literal["", "Constructions", "Curve analysis", "Surface analysis", "Comparison"]
+"""The submenus of the View menu that overlays stand in; "" is the menu itself."""
+GROUPS: tuple[Group, ...] = get_args(Group)
 
 
 @dataclass(frozen=True)
@@ -112,6 +115,8 @@ class Overlay:
     """such as "Shift+H", or nothing"""
     coloring: Coloring = Coloring()
     settings: tuple[Setting, ...] = ()
+    group: Group = ""
+    """where in the menu it stands"""
     _of_designs: DrawDesign | None = field(default=None, init=False, repr=False)
     _under_pointer: DrawPlace | None = field(default=None, init=False, repr=False)
     _of_curves: DrawCurve | None = field(default=None, init=False, repr=False)
@@ -129,6 +134,16 @@ class Overlay:
             "mesh": self._of_meshes,
         }
         return self.colors | {kind for kind, draw in draws.items() if draw is not None}
+
+    @property
+    def is_of_designs(self) -> bool:
+        """Whether it draws something about a design as a whole."""
+        return self._of_designs is not None
+
+    @property
+    def follows_pointer(self) -> bool:
+        """Whether it draws something at the place under the pointer."""
+        return self._under_pointer is not None
 
     @property
     def colors(self) -> frozenset[Taken]:
@@ -224,9 +239,11 @@ def overlay(
     shortcut: str = "",
     coloring: Coloring = Coloring(),
     settings: tuple[Setting, ...] = (),
+    group: Group = "",
 ) -> Overlay:
     """A new entry on the shelf, which draws nothing yet."""
-    return overlays.register(name)(Overlay(name, title, order, shortcut, coloring, settings))
+    entry = Overlay(name, title, order, shortcut, coloring, settings, group)
+    return overlays.register(name)(entry)
 
 
 def in_order() -> list[Overlay]:

@@ -17,6 +17,7 @@ deviation = overlay(
     order=70,
     shortcut="Shift+D",
     coloring=Coloring("Deviation", "% of the size", least=NO_MORE_THAN_ROUNDING),
+    group="Surface analysis",
 )
 
 

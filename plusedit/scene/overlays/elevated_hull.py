@@ -16,7 +16,11 @@ from plusedit.scene.items import Item, Markers, Polyline
 from plusedit.scene.overlays import Seen, overlay
 
 elevated_hull = overlay(
-    "elevated_hull", title="Hull of the elevated points", order=20, shortcut="Shift+E"
+    "elevated_hull",
+    title="Hull of the elevated points",
+    order=20,
+    shortcut="Shift+E",
+    group="Constructions",
 )
 
 

@@ -21,7 +21,7 @@ from plusedit.scene.hull_areas import hull_area, hull_of, kept_hull
 from plusedit.scene.items import Item, Polyline
 from plusedit.scene.overlays import Seen, overlay
 
-hulls = overlay("hulls", title="Convex hulls", order=10, shortcut="Shift+H")
+hulls = overlay("hulls", title="Convex hulls", order=10, shortcut="Shift+H", group="Constructions")
 
 
 @hulls.of_curves
