@@ -27,6 +27,7 @@ from plusedit.geometry.mesh.mesh_surface import MeshSurface
 from plusedit.geometry.mesh.nearby import DEEPEST, nearby
 from plusedit.geometry.mesh.ordering import morton_order
 from plusedit.geometry.mesh.plane_tree import PlaneTree
+from plusedit.geometry.surface_jets import COUNTS
 
 FLAT = 1.5  # periods: a Gaussian so wide, with all its images, is a constant
 LEAST, MOST = 1e-60, 1e60  # smoothness: with less there are steps, with more constants
@@ -122,6 +123,20 @@ def evaluated(
 
     ValueError for places that are not finite; what `check` raises.
     """
+    if not derivatives:
+        nothing = np.zeros((0, 3))
+        return jets(surface, places, highest=0, check=check)[0], nothing, nothing
+    points, by_u, by_v = jets(surface, places, highest=1, check=check)
+    return points, by_u, by_v
+
+
+def jets(
+    surface: MeshSurface, places: Floats, *, highest: int, check: Check = unchecked
+) -> tuple[Floats, ...]:
+    """(S, S_u, S_v, S_uu, S_uv, S_vv) up to order `highest`, (m, 3) each, at places (m, 2).
+
+    ValueError for places that are not finite; what `check` raises.
+    """
     wanted = np.asarray(places, dtype=np.float64)
     if wanted.ndim != 2 or wanted.shape[1] != 2:
         raise ValueError(f"places: expected shape (None, 2), got {wanted.shape}")
@@ -130,14 +145,14 @@ def evaluated(
     inside, signs = surface.domain.reduction(wanted)
     order = morton_order(inside)
     ordered = inside[order]
-    found = np.empty((len(order), 9 if derivatives else 3))
+    found = np.empty((len(order), 3 * COUNTS[highest]))
     _evaluator()(Prepared.of(surface, ordered), ordered, found, check)
     back = np.empty_like(found)
     back[order] = found
-    points = np.ascontiguousarray(back[:, :3])
-    if not derivatives:
-        return points, np.zeros((0, 3)), np.zeros((0, 3))
-    return points, signs[:, None] * back[:, 3:6], signs[:, None] * back[:, 6:]
+    # Where an image turns, first derivatives change their signs, and second ones change twice.
+    back[:, 3:9] *= signs[:, None]
+    parts = range(0, back.shape[1], 3)
+    return tuple(np.ascontiguousarray(back[:, part : part + 3]) for part in parts)
 
 
 def points_and_normals(

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from plusedit.geometry.arrays import Floats
+from plusedit.geometry.mesh.bend_kernels import add_bends, divide_bends
 from plusedit.geometry.mesh.compiling import compiled, inlined
 
 BLOCK = 16  # places
@@ -55,14 +56,16 @@ def evaluate(
     signs: Floats,
     found: Floats,
 ) -> None:
-    """found (m, 3 or 9) = S, and S_u and S_v if there is room, at places (m, 2) in the cell.
+    """found (m, 3, 9 or 18) = S and, if there is room, S_u, S_v and S_uu, S_uv, S_vv.
 
-    `boxes` and `largest` are those of the tree, `table` has the planes in its order, `widths` are
-    S and the largest sigma by u and by v; `shifts` and `signs` are the images.
+    At places (m, 2) in the cell. `boxes` and `largest` are those of the tree, `table` has the
+    planes in its order, `widths` are S and the largest sigma by u and by v; `shifts` and `signs`
+    are the images.
     """
     chunk, exponents = np.empty((NUMBERS, CHUNK)), np.empty(CHUNK)
     stack, box, near = np.empty(128, np.int64), np.empty(4), np.empty(4)
-    sums, least, origin = np.empty((BLOCK, 12)), np.empty(BLOCK), np.empty(3)
+    sums = np.empty((BLOCK, 24 if found.shape[1] > 9 else 12))
+    least, origin = np.empty(BLOCK), np.empty(3)
     leaves = len(largest) // 2
     for start in range(0, len(places), BLOCK):
         block = places[start : start + BLOCK]
@@ -98,9 +101,9 @@ def evaluate(
                     take(table, i, shifts[g], signs[g], origin, chunk, count)
                     count += 1
                     if count == CHUNK:
-                        absorb(block, chunk, count, exponents, sums, least, found.shape[1] > 3)
+                        absorb(block, chunk, count, exponents, sums, least, found.shape[1])
                         count = 0
-        absorb(block, chunk, count, exponents, sums, least, found.shape[1] > 3)
+        absorb(block, chunk, count, exponents, sums, least, found.shape[1])
         divide(sums, origin, found[start : start + BLOCK])
 
 
@@ -229,7 +232,7 @@ def absorb(
     exponents: Floats,
     sums: Floats,
     least: Floats,
-    derivatives: bool,
+    width: int,
 ) -> None:
     """Add the first `count` planes of the chunk to the sums of every place of the block."""
     if count == 0:
@@ -250,8 +253,10 @@ def absorb(
         for j in range(count):
             exponents[j] = chunk[4, j] * exponential(max(base - exponents[j], SMALLEST))
         add_points(u, v, chunk, count, exponents, sums[p])
-        if derivatives:
+        if width > 3:
             add_slopes(u, v, chunk, count, exponents, sums[p])
+        if width > 9:
+            add_bends(u, v, chunk, count, exponents, sums[p])
 
 
 @compiled
@@ -302,3 +307,5 @@ def divide(sums: Floats, origin: Floats, found: Floats) -> None:
             if found.shape[1] > 3:
                 found[p, 3 + c] = (sums[p, 6 + c] - share * sums[p, 4]) / sums[p, 0]
                 found[p, 6 + c] = (sums[p, 9 + c] - share * sums[p, 5]) / sums[p, 0]
+    if found.shape[1] > 9:
+        divide_bends(sums, found)

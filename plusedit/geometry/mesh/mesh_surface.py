@@ -147,11 +147,14 @@ class MeshSurface:
 
         return evaluated(self, np.asarray(places, dtype=np.float64), derivatives=False)[0]
 
-    def derivatives(self, places: ArrayLike) -> tuple[Floats, Floats, Floats]:
-        """(m, 3) each: S, S_u and S_v at places (m, 2), to full accuracy."""
-        from plusedit.geometry.mesh.evaluation import evaluated
+    def derivatives(self, places: ArrayLike, *, highest: int = 1) -> tuple[Floats, ...]:
+        """(S, S_u, S_v, S_uu, S_uv, S_vv) up to order `highest` at places (m, 2), (m, 3) each.
 
-        return evaluated(self, np.asarray(places, dtype=np.float64), derivatives=True)
+        To full accuracy.
+        """
+        from plusedit.geometry.mesh.evaluation import jets
+
+        return jets(self, np.asarray(places, dtype=np.float64), highest=highest)
 
     def with_smoothness(self, smoothness: float) -> "MeshSurface":
         """The same planes with another S."""

@@ -32,7 +32,7 @@ class _Octave(NamedTuple):
 
 
 def evaluate(prepared: "Prepared", places: Floats, found: Floats, check: "Check") -> None:
-    """found (m, 3 or 9) = S, and S_u and S_v if there is room, at places (m, 2) in the cell."""
+    """found (m, 3, 9 or 18) = S and, if there is room, its derivatives at places (m, 2)."""
     octaves = _octaves(prepared)
     for start in range(0, len(places), TOGETHER):
         check()
@@ -114,8 +114,22 @@ def _sum(
     found[:, :3] = origin + middle
     if found.shape[1] == 3:
         return
-    for axis, slopes in enumerate((by_u, by_v)):
-        steep = -2.0 * away[:, axis] * prepared.halves[planes, axis]
-        from_middle = steep[:, None] * (values - middle[rows])
-        terms = (shares * signs)[:, None] * (slopes + from_middle)
+    from_middle, slopes = values - middle[rows], (by_u, by_v)
+    steep = [-2.0 * away[:, axis] * prepared.halves[planes, axis] for axis in (0, 1)]
+    for axis in (0, 1):
+        terms = (shares * signs)[:, None] * (slopes[axis] + steep[axis][:, None] * from_middle)
         found[:, 3 + 3 * axis : 6 + 3 * axis] = summed(terms) / total
+    if found.shape[1] == 9:
+        return
+    # Of what is measured from S itself the sum is zero: S_uu = (N_uu - 2 w_u S_u) / w.
+    thinned = [summed((shares * signs * each)[:, None]) / total for each in steep]
+    for place, (a, b) in enumerate(((0, 0), (0, 1), (1, 1))):
+        bend = steep[a] * steep[b] - (2.0 * prepared.halves[planes, a] if a == b else 0.0)
+        terms = bend[:, None] * from_middle
+        terms += steep[a][:, None] * slopes[b] + steep[b][:, None] * slopes[a]
+        below = sum(
+            thinned[one] * found[:, 3 + 3 * other : 6 + 3 * other]
+            for one, other in ((a, b), (b, a))
+        )
+        start = 9 + 3 * place
+        found[:, start : start + 3] = summed(shares[:, None] * terms) / total - below
