@@ -9,7 +9,8 @@ from plusedit.commands.shapes import AddShapes, DeleteShapes, Reorder
 from plusedit.document.design import Design
 from plusedit.document.shape import Shape, ShapeId
 from plusedit.io.opening import is_mesh, mesh_suffixes
-from plusedit.scene.drawn_mesh import KEPT, MeshDrawing, keep, previewed
+from plusedit.scene.drawn_mesh import KEPT, keep, previewed
+from plusedit.scene.mesh_drawing import MeshDrawing
 
 if TYPE_CHECKING:
     from plusedit.geometry.mesh.maps import Progress

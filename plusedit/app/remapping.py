@@ -10,7 +10,8 @@ from plusedit.commands.meshes import Remap
 from plusedit.document.design import EditError
 from plusedit.document.map_record import MapRecord
 from plusedit.document.shape import ShapeId
-from plusedit.scene.drawn_mesh import MeshDrawing, keep, previewed
+from plusedit.scene.drawn_mesh import keep, previewed
+from plusedit.scene.mesh_drawing import MeshDrawing
 from plusedit.views.desk import Desk
 
 if TYPE_CHECKING:

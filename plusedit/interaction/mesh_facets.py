@@ -11,7 +11,8 @@ from plusedit.geometry.arrays import Floats
 from plusedit.geometry.mesh.mesh_surface import MeshSurface
 from plusedit.interaction.mesh_depths import DepthMap, depth_map
 from plusedit.scene.camera import Camera
-from plusedit.scene.drawn_mesh import MeshDrawing, drawing_of
+from plusedit.scene.drawn_mesh import drawing_of
+from plusedit.scene.mesh_drawing import MeshDrawing
 
 BEHIND_EYE = np.uint8(16)  # beside four bits for the sides of a pixel
 BEHIND = 2e-3  # of the usual length of a pixel: smaller ones are behind the eye, or all but

@@ -16,11 +16,9 @@ from plusedit.document.design import Design, changed
 from plusedit.document.shape import Shape
 from plusedit.geometry.mesh.evaluation import Check, points_and_normals, unchecked
 from plusedit.geometry.mesh.mesh_surface import MeshSurface
-from plusedit.scene.mesh_drawing import DrawnNet, MeshDrawing
-from plusedit.scene.mesh_nets import bare_net, known_net, net_of, polygon_edges
+from plusedit.scene.mesh_drawing import MeshDrawing
+from plusedit.scene.mesh_nets import bare_net, known_net, net_of
 from plusedit.scene.moved_meshes import moved_drawing
-
-__all__ = ["DrawnNet", "MeshDrawing", "net_of", "polygon_edges"]
 
 KEPT = 24  # drawings
 AT_ONCE = 2_000_000  # planes at places that are evaluated in the time of a frame

@@ -8,7 +8,8 @@ import numpy as np
 
 from plusedit.geometry.arrays import Floats, unit
 from plusedit.geometry.mesh.polygons import PolygonMesh
-from plusedit.scene.drawn_mesh import DrawnNet, MeshDrawing, polygon_edges
+from plusedit.scene.mesh_drawing import DrawnNet, MeshDrawing
+from plusedit.scene.mesh_nets import polygon_edges
 
 
 @dataclass(frozen=True, eq=False)

@@ -10,9 +10,10 @@ from plusedit.geometry.arrays import Floats
 from plusedit.geometry.mesh.mesh_surface import MeshSurface
 from plusedit.scene.camera import Camera, PlaneCamera
 from plusedit.scene.color_scale import Colors
-from plusedit.scene.drawn_mesh import MeshDrawing, drawing_of
+from plusedit.scene.drawn_mesh import drawing_of
 from plusedit.scene.faceted_mesh import faceted
 from plusedit.scene.items import Item, Mesh, Polyline, Segments
+from plusedit.scene.mesh_drawing import MeshDrawing
 from plusedit.scene.options import ViewOptions
 from plusedit.scene.silhouettes import lifted, zero_lines
 from plusedit.scene.space_camera import SpaceCamera

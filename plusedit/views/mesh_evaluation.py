@@ -18,13 +18,13 @@ from plusedit.events import Event
 from plusedit.geometry.mesh.mesh_surface import MeshSurface
 from plusedit.scene.drawn_mesh import (
     Known,
-    MeshDrawing,
     evaluated,
     keep,
     known_before,
     known_drawing,
     previewed,
 )
+from plusedit.scene.mesh_drawing import MeshDrawing
 from plusedit.views.workers import start_worker
 
 GLANCE = 4  # milliseconds between looks whether a surface is done

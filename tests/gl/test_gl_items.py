@@ -262,3 +262,14 @@ def test_the_surface_of_a_mesh_is_seen_in_space():
     image = space_image_of(a_landscape(), (120, 90))
     empty = space_image_of(a_landscape(visible=False), (120, 90))
     assert image.pixelColor(60, 45) != empty.pixelColor(60, 45)
+
+
+def test_a_mesh_that_moves_takes_the_place_of_the_one_before(easel):
+    faces = np.array([[0, 1, 2], [0, 2, 3]], np.int32)
+    before, after = (Mesh(SQUARE + np.array([shift, 0.0, 0.0]), faces) for shift in (-0.5, 0.5))
+    easel.draw(before)
+    (buffers,) = easel.artist._meshes._held.values()
+    moved = easel.draw(after)
+    assert list(easel.artist._meshes._held.values()) == [buffers]
+    np.testing.assert_array_equal(easel.draw(Mesh(after.points, faces.copy())), moved)
+    assert list(easel.artist._meshes._held.values()) != [buffers]

@@ -6,8 +6,8 @@ from weakref import WeakKeyDictionary
 from plusedit.document.shape import Shape
 from plusedit.geometry.mesh.mesh_surface import MeshSurface
 from plusedit.geometry.mesh.polygons import PolygonMesh
-from plusedit.scene.drawn_mesh import polygon_edges
 from plusedit.scene.items import Item, Segments
+from plusedit.scene.mesh_nets import polygon_edges
 from plusedit.scene.overlays import Seen, overlay
 
 COLOR = "classical@60"
