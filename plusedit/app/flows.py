@@ -9,7 +9,7 @@ from PySide6.QtCore import QProcess
 from PySide6.QtWidgets import QWidget
 
 from plusedit.app.autosave import Autosave, Left, left_behind
-from plusedit.app.background import Progress
+from plusedit.app.background import Progress, in_background
 from plusedit.app.clipboard import counted, fresh
 from plusedit.app.files import Files
 from plusedit.app.mesh_opening import read_again
@@ -215,7 +215,12 @@ class Flows:
 
     def recover(self, place: Path | None = None) -> bool:
         """Offer what crashed runs left; whether a design of theirs is in the window now."""
-        found = left_behind(place)
+        found = in_background(
+            self._parent,
+            "Looking for unsaved designs …",
+            lambda: left_behind(place),
+            can_cancel=False,
+        )
         opened = False
         for left in found:
             if opened:

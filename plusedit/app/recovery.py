@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Literal
 
 from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QImage, QPixmap
 from PySide6.QtWidgets import (
     QDialog,
     QHBoxLayout,
@@ -15,7 +16,9 @@ from PySide6.QtWidgets import (
 )
 
 from plusedit.app.autosave import Left
-from plusedit.app.thumbnails import picture_of, picture_of_file
+from plusedit.app.background import in_background
+from plusedit.app.mesh_opening import is_mesh
+from plusedit.app.thumbnails import image_of_file, small_image_of
 from plusedit.scene.theme import Theme
 from plusedit.views.live import quiet, title
 
@@ -31,7 +34,14 @@ class RecoveryDialog(QDialog):
     def __init__(self, left: Left, theme: Theme, parent: QWidget | None) -> None:
         super().__init__(parent)
         self.choice: Choice = "later"
-        self._theme = theme
+        ratio = self.devicePixelRatioF()
+        # Those of large meshes take their time.
+        self._images = in_background(
+            parent or self,
+            "Drawing what was left …",
+            lambda: _images(left, theme, ratio),
+            can_cancel=False,
+        )
         name = NAMELESS if left.path is None else left.path.name
         self.setWindowTitle("PlusEdit")
         column = QVBoxLayout(self)
@@ -51,7 +61,7 @@ class RecoveryDialog(QDialog):
 
     def _recovered(self, left: Left) -> QVBoxLayout:
         picture = framed()
-        picture.setPixmap(picture_of(left.design, PICTURE, self._theme, self.devicePixelRatioF()))
+        picture.setPixmap(QPixmap.fromImage(self._images[0]))
         button = QPushButton("Open recovered version")
         button.setDefault(True)
         button.clicked.connect(lambda: self._choose("recovered"))
@@ -63,10 +73,13 @@ class RecoveryDialog(QDialog):
         button = QPushButton("Discard recovered version")
         if path is not None and path.exists():
             date = when(path.stat().st_mtime)
-            pixmap = picture_of_file(path, PICTURE, self._theme, self.devicePixelRatioF())
-            if pixmap is not None:
-                picture.setPixmap(pixmap)
+            image = self._images[1]
+            if image is not None:
+                picture.setPixmap(QPixmap.fromImage(image))
                 button.setText("Open saved version")
+            elif is_mesh(path):
+                picture.setText("The mesh as it was before.")
+                button.setText("Open the mesh again")
             else:
                 picture.setText("The file can’t be read.")
         elif path is not None:
@@ -88,6 +101,14 @@ class RecoveryDialog(QDialog):
     def _choose(self, choice: Choice) -> None:
         self.choice = choice
         self.accept()
+
+
+def _images(left: Left, theme: Theme, ratio: float) -> tuple[QImage, QImage | None]:
+    """Of what was kept, and of what is on disk where that is a design."""
+    kept = small_image_of(left.design, PICTURE, theme, ratio)
+    has_design = left.path is not None and left.path.exists() and not is_mesh(left.path)
+    saved = image_of_file(left.path, PICTURE, theme, ratio) if left.path and has_design else None
+    return kept, saved
 
 
 def framed(text: str = "") -> QLabel:

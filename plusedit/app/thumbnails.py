@@ -19,11 +19,16 @@ REDUCED = 2  # pictures are drawn for twice their size, so that lines and dots a
 
 def picture_of(design: Design, size: QSize, theme: Theme, pixel_ratio: float = 1.0) -> QPixmap:
     """A picture of a design on a transparent ground, `size` logical pixels large."""
+    return QPixmap.fromImage(small_image_of(design, size, theme, pixel_ratio))
+
+
+def small_image_of(design: Design, size: QSize, theme: Theme, pixel_ratio: float = 1.0) -> QImage:
+    """The same as an image, which may be drawn in whatever thread."""
     large = (size.width() * REDUCED, size.height() * REDUCED)
     draw = sketch_of if design.is_spatial else image_of
     image = draw(without_words(design), large, theme, transparent=True, ratio=pixel_ratio / REDUCED)
     image.setDevicePixelRatio(pixel_ratio)
-    return QPixmap.fromImage(image)
+    return image
 
 
 def without_words(design: Design) -> Design:
@@ -40,20 +45,26 @@ def picture_of_file(
 
     Of shipped designs it is the one that is shipped with them, where there is one.
     """
+    image = image_of_file(path, size, theme, pixel_ratio)
+    return None if image is None else QPixmap.fromImage(image)
+
+
+def image_of_file(path: Path, size: QSize, theme: Theme, pixel_ratio: float = 1.0) -> QImage | None:
+    """The same as an image, which may be drawn in whatever thread."""
     from plusedit.io.files import load
 
-    shipped = QImage(str(picture_of_example(path, theme.name)) if is_shipped(path) else "")
-    if not shipped.isNull():
-        return _scaled(shipped, size, pixel_ratio)
+    shipped = picture_of_example(path, theme.name)
+    if is_shipped(path) and shipped.exists():
+        return _scaled(QImage(str(shipped)), size, pixel_ratio)
     try:
         design = load(path).design
     except (FormatError, OSError):
         return None
-    return picture_of(design, size, theme, pixel_ratio)
+    return small_image_of(design, size, theme, pixel_ratio)
 
 
-def _scaled(image: QImage, size: QSize, pixel_ratio: float) -> QPixmap:
+def _scaled(image: QImage, size: QSize, pixel_ratio: float) -> QImage:
     smooth = Qt.TransformationMode.SmoothTransformation
     scaled = image.scaled(size * pixel_ratio, Qt.AspectRatioMode.KeepAspectRatio, smooth)
     scaled.setDevicePixelRatio(pixel_ratio)
-    return QPixmap.fromImage(scaled)
+    return scaled

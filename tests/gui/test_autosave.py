@@ -9,6 +9,7 @@ from pathlib import Path
 from socket import gethostname
 
 import pytest
+from PySide6.QtWidgets import QLabel, QPushButton
 
 from plusedit.app import autosave
 from plusedit.app.autosave import Autosave, has_left_behind, left_behind, lock_of, write
@@ -182,8 +183,6 @@ def test_the_question_shows_both_versions_with_date_and_picture(qtbot, window, d
     (left,) = left_behind(place)
     dialog = RecoveryDialog(left, window.desk.theme, window)
     qtbot.addWidget(dialog)
-    from PySide6.QtWidgets import QLabel, QPushButton
-
     pictures = [w for w in dialog.findChildren(QLabel) if not w.pixmap().isNull()]
     assert len(pictures) == 2
     texts = " ".join(w.text() for w in dialog.findChildren(QLabel))
@@ -191,6 +190,17 @@ def test_the_question_shows_both_versions_with_date_and_picture(qtbot, window, d
     buttons = {w.text(): w for w in dialog.findChildren(QPushButton)}
     buttons["Open recovered version"].click()
     assert dialog.choice == "recovered"
+    left.leave()
+
+
+def test_of_a_mesh_on_disk_it_is_told_that_it_can_be_opened_again(qtbot, window, tmp_path, place):
+    mesh = tmp_path / "hill.obj"
+    mesh.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    left_by_a_crash(place, mesh)
+    (left,) = left_behind(place)
+    dialog = RecoveryDialog(left, window.desk.theme, window)
+    qtbot.addWidget(dialog)
+    assert "Open the mesh again" in {w.text() for w in dialog.findChildren(QPushButton)}
     left.leave()
 
 
