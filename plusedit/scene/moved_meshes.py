@@ -10,13 +10,14 @@ import numpy as np
 from plusedit.geometry.arrays import Floats, unit
 from plusedit.geometry.mesh.face_net import EditedPlanes
 from plusedit.geometry.mesh.mesh_surface import MeshSurface
+from plusedit.geometry.mesh.polygons import PolygonMesh
 from plusedit.scene.mesh_drawing import MeshDrawing
 
 LOOKED_AT = 64  # vertices that tell by which map a mesh was moved
 SLACK = 1e-9  # of the diagonal, within which a map is the one
 
 
-class _Way(NamedTuple):
+class Way(NamedTuple):
     """x -> (x - middle) linear + image."""
 
     linear: Floats
@@ -63,21 +64,28 @@ def _has_same_numbers(one: MeshSurface, other: MeshSurface) -> bool:
     )
 
 
-def _way(surface: MeshSurface, other: MeshSurface) -> _Way | None:
+def _way(surface: MeshSurface, other: MeshSurface) -> Way | None:
     """The affine map from the other surface; None where there is none."""
-    old, new = other.mesh.vertices, surface.mesh.vertices
+    way, slack = affine_way(other.mesh.vertices, surface.mesh), SLACK * surface.mesh.diagonal
+    if way is None:
+        return None
+    old, new = EditedPlanes.of(other.edited), EditedPlanes.of(surface.edited)
+    return way if _moves_edits(way, old, new, slack) else None
+
+
+def affine_way(old: Floats, mesh: PolygonMesh) -> Way | None:
+    """The affine map from places (n, 3) to the vertices of a mesh; None where there is none."""
+    new = mesh.vertices
     looked_at = np.unique(np.linspace(0, len(old) - 1, LOOKED_AT).astype(int))
     middle, image = old[looked_at].mean(axis=0), new[looked_at].mean(axis=0)
     linear = np.linalg.lstsq(old[looked_at] - middle, new[looked_at] - image, rcond=None)[0]
-    way, slack = _Way(linear, middle, image), SLACK * surface.mesh.diagonal
+    way, slack = Way(linear, middle, image), SLACK * mesh.diagonal
     if not _are_near(way.moved(old[looked_at]), new[looked_at], slack):
-        return None
-    if not _moves_edits(way, EditedPlanes.of(other.edited), EditedPlanes.of(surface.edited), slack):
         return None
     return way if _are_near(way.moved(old), new, slack) else None
 
 
-def _moves_edits(way: _Way, old: EditedPlanes, new: EditedPlanes, slack: float) -> bool:
+def _moves_edits(way: Way, old: EditedPlanes, new: EditedPlanes, slack: float) -> bool:
     """Whether the map brings edited planes to those of the same faces."""
     if not (np.array_equal(old.faces, new.faces) and np.array_equal(old.given, new.given)):
         return False
