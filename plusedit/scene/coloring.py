@@ -9,6 +9,7 @@ from collections import deque
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
+from typing import TypeAlias
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -21,17 +22,21 @@ from plusedit.scene.color_scale import SCALES, Colors, Span
 from plusedit.scene.drawn_surface import Grids
 from plusedit.scene.items import Legend
 from plusedit.scene.mesh_drawing import DrawnNet, MeshDrawing
-from plusedit.scene.overlays import Coloring, Overlay, in_order
+from plusedit.scene.overlays import Coloring, Numbers, Overlay, in_order
 
 ROBUST = 1.0  # percent of the values of a shape at either end that may lie beyond the scale
 ROUND = (1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0)  # ends of scales, times a power of ten
 SHADES = 33  # colors that a legend is drawn with
 RECENT = 4  # pictures whose colors are kept
+USUAL: Numbers = MappingProxyType({})
 
-_OF_MESHES: "WeakKeyDictionary[MeshDrawing, dict[str, Floats]]" = WeakKeyDictionary()
-_LATEST: "WeakKeyDictionary[DrawnNet, dict[str, Floats]]" = WeakKeyDictionary()
+Key: TypeAlias = tuple[str, frozenset[tuple[str, float]]]
+"""An overlay and its settings"""
+
+_OF_MESHES: "WeakKeyDictionary[MeshDrawing, dict[Key, Floats]]" = WeakKeyDictionary()
+_LATEST: "WeakKeyDictionary[DrawnNet, dict[Key, Floats]]" = WeakKeyDictionary()
 """Those of the last drawing with that net, which may be gone by now."""
-_OF_SURFACES: "WeakKeyDictionary[PlusSurface, dict[tuple[str, Grids], Floats]]"
+_OF_SURFACES: "WeakKeyDictionary[PlusSurface, dict[tuple[Key, Grids], Floats]]"
 _OF_SURFACES = WeakKeyDictionary()
 
 
@@ -54,38 +59,50 @@ def coloring_overlay(names: Iterable[str]) -> Overlay | None:
     return next((o for o in in_order() if o.name in chosen and o.colors), None)
 
 
-def mesh_values(entry: Overlay, surface: MeshSurface, drawing: MeshDrawing) -> Floats | None:
+def mesh_values(
+    entry: Overlay, surface: MeshSurface, drawing: MeshDrawing, numbers: Numbers = USUAL
+) -> Floats | None:
     """(n,) the values at the points that are drawn, found if need be; in whatever thread.
 
-    None where the overlay has none for meshes.
+    `numbers` are the settings of the overlay that are not as usual. None where the overlay has no
+    values for meshes.
     """
-    kept = _OF_MESHES.setdefault(drawing, {})
-    if entry.name not in kept:
-        values = entry.mesh_values(surface, drawing)
+    kept, key = _OF_MESHES.setdefault(drawing, {}), _key(entry, numbers)
+    if key not in kept:
+        values = entry.mesh_values(surface, drawing, numbers)
         if values is None:
             return None
-        kept[entry.name] = _LATEST.setdefault(drawing.net, {})[entry.name] = values
-    return kept[entry.name]
+        kept[key] = _LATEST.setdefault(drawing.net, {})[key] = values
+    return kept[key]
 
 
-def has_values(entry: Overlay, drawing: MeshDrawing) -> bool:
+def has_values(entry: Overlay, drawing: MeshDrawing, numbers: Numbers = USUAL) -> bool:
     """Whether the values of just that drawing are known."""
-    return entry.name in _OF_MESHES.get(drawing, {})
+    return _key(entry, numbers) in _OF_MESHES.get(drawing, {})
 
 
-def known_values(entry: Overlay, surface: MeshSurface, drawing: MeshDrawing) -> Floats | None:
+def known_values(
+    entry: Overlay, surface: MeshSurface, drawing: MeshDrawing, numbers: Numbers = USUAL
+) -> Floats | None:
     """(n,) the values, or else those before the last change; None while there are neither."""
-    kept = _OF_MESHES.get(drawing, {}).get(entry.name)
-    return _LATEST.get(drawing.net, {}).get(entry.name) if kept is None else kept
+    key = _key(entry, numbers)
+    kept = _OF_MESHES.get(drawing, {}).get(key)
+    return _LATEST.get(drawing.net, {}).get(key) if kept is None else kept
 
 
-def surface_values(entry: Overlay, surface: PlusSurface, grids: Grids) -> Floats | None:
+def _key(entry: Overlay, numbers: Numbers) -> Key:
+    return entry.name, frozenset(numbers.items())
+
+
+def surface_values(
+    entry: Overlay, surface: PlusSurface, grids: Grids, numbers: Numbers = USUAL
+) -> Floats | None:
     """(m_u, m_v) the values at the points that are drawn; None where the overlay has none."""
     kept = _OF_SURFACES.setdefault(surface, {})
-    key = entry.name, grids
+    key = _key(entry, numbers), grids
     if key not in kept:
         u, v = (grid.parameters for grid in grids)
-        values = entry.surface_values(surface, u, v)
+        values = entry.surface_values(surface, u, v, numbers)
         if values is None:
             return None
         kept[key] = values

@@ -170,15 +170,16 @@ def _tints(
     entry = coloring_overlay(options.overlays)
     if entry is None:
         return NO_TINTS
+    numbers = entry.numbers(options.settings)
     values: dict[ShapeId, Floats | None] = {}
     for shape_id, _, geometry in shown_shapes(design, only):
         if isinstance(geometry, PlusSurface):
             grids = surface_grids(geometry, camera, draft=draft)
-            values[shape_id] = surface_values(entry, geometry, grids)
+            values[shape_id] = surface_values(entry, geometry, grids, numbers)
     for shape_id, _, surface in shown_meshes(design, only) if not options.facets else ():
         drawing = drawing_of(surface, wait=wait)
         find = mesh_values if wait else known_values
-        values[shape_id] = find(entry, surface, drawing)
+        values[shape_id] = find(entry, surface, drawing, numbers)
     return tinted(entry, {i: found for i, found in values.items() if found is not None})
 
 

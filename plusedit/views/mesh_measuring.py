@@ -19,7 +19,7 @@ from plusedit.scene.drawn_deviation import drawn_deviation, known_deviation
 from plusedit.scene.drawn_mesh import known_drawing
 from plusedit.scene.mesh_drawing import MeshDrawing
 from plusedit.scene.options import ViewOptions
-from plusedit.scene.overlays import Overlay
+from plusedit.scene.overlays import Numbers, Overlay
 from plusedit.views.mesh_evaluation import MeshEvaluation
 from plusedit.views.workers import start_worker
 
@@ -35,6 +35,8 @@ class _Job:
     drawing: MeshDrawing
     entry: Overlay | None
     """what it is colored by, if by anything"""
+    numbers: Numbers
+    """its settings"""
     has_failed: bool = False
 
     def do(self) -> None:
@@ -42,7 +44,7 @@ class _Job:
         try:
             drawn_deviation(self.surface, self.drawing)
             if self.entry is not None:
-                mesh_values(self.entry, self.surface, self.drawing)
+                mesh_values(self.entry, self.surface, self.drawing, self.numbers)
         except (ValueError, MemoryError):
             self.has_failed = True
 
@@ -58,6 +60,7 @@ class MeshMeasuring(QObject):
         """more is known of what is drawn"""
         self._session = session
         self._entry: Overlay | None = None
+        self._numbers: Numbers = {}
         self._job: _Job | None = None
         self._thread: Thread | None = None
         self._failed: WeakSet[MeshDrawing] = WeakSet()
@@ -77,6 +80,7 @@ class MeshMeasuring(QObject):
         """Find what that shows."""
         entry = coloring_overlay(options.overlays)
         self._entry = entry if entry is not None and "mesh" in entry.colors else None
+        self._numbers = {} if entry is None else entry.numbers(options.settings)
         self._begin()
 
     def _begin(self) -> None:
@@ -97,9 +101,9 @@ class MeshMeasuring(QObject):
             drawing = known_drawing(surface)
             if drawing is None or drawing in self._failed:
                 continue
-            is_colored = self._entry is None or has_values(self._entry, drawing)
+            is_colored = self._entry is None or has_values(self._entry, drawing, self._numbers)
             if known_deviation(drawing) is None or not is_colored:
-                return _Job(surface, drawing, self._entry)
+                return _Job(surface, drawing, self._entry, self._numbers)
         return None
 
     def _look(self) -> None:

@@ -28,9 +28,16 @@ An overlay can color surfaces in space instead, by values at the points that are
     @twist.coloring_of_meshes
     def mesh_twist(surface: MeshSurface, drawing: MeshDrawing) -> Floats: ...  # (n,)
 
-The values depend on nothing else. Those of meshes are found in a thread beside the window's, so
+The values depend on nothing else but the settings of the overlay: where it has any, both functions
+take them as a last argument, a mapping from names to numbers. Those of meshes are found in a thread beside the window's, so
 they may take their time; values that are not numbers are gray. All surfaces that are shown have one
-scale, with a legend in a corner. Only one overlay colors surfaces at a time.
+scale, with a legend in a corner.
+
+Or it changes how light falls on surfaces, pixel by pixel, into stripes that a shader knows:
+
+    overlay("zebra", title="Zebra stripes", order=85, stripes="zebra", settings=(COUNT,))
+
+Only one overlay colors or stripes surfaces at a time.
 """
 
 from collections.abc import Callable, Iterable, Mapping
@@ -82,8 +89,16 @@ DrawSurface: TypeAlias = Callable[[Shape, PlusSurface, Seen], Iterable[Item]]
 DrawMesh: TypeAlias = Callable[[Shape, MeshSurface, Seen], Iterable[Item]]
 DrawDesign: TypeAlias = Callable[[Design, frozenset[ShapeId], Seen], Iterable[Item]]
 DrawPlace: TypeAlias = Callable[[Shape, Geometry, tuple[float, ...], Seen], Iterable[Item]]
-SurfaceValues: TypeAlias = Callable[[PlusSurface, Floats, Floats], Floats]
-MeshValues: TypeAlias = Callable[[MeshSurface, MeshDrawing], Floats]
+Numbers: TypeAlias = Mapping[str, float]
+SurfaceValues: TypeAlias = (
+    Callable[[PlusSurface, Floats, Floats], Floats]
+    | Callable[[PlusSurface, Floats, Floats, Numbers], Floats]
+)
+MeshValues: TypeAlias = (
+    Callable[[MeshSurface, MeshDrawing], Floats]
+    | Callable[[MeshSurface, MeshDrawing, Numbers], Floats]
+)
+StripeKind: TypeAlias = Literal["", "zebra", "reflection", "isophotes"]
 
 
 @dataclass(frozen=True)
@@ -117,6 +132,8 @@ class Overlay:
     settings: tuple[Setting, ...] = ()
     group: Group = ""
     """where in the menu it stands"""
+    stripes: StripeKind = ""
+    """what light makes of surfaces in space; "" leaves it as it is"""
     _of_designs: DrawDesign | None = field(default=None, init=False, repr=False)
     _under_pointer: DrawPlace | None = field(default=None, init=False, repr=False)
     _of_curves: DrawCurve | None = field(default=None, init=False, repr=False)
@@ -133,7 +150,8 @@ class Overlay:
             "surface": self._of_surfaces,
             "mesh": self._of_meshes,
         }
-        return self.colors | {kind for kind, draw in draws.items() if draw is not None}
+        striped: frozenset[Taken] = frozenset({"surface", "mesh"} if self.stripes else ())
+        return self.colors | striped | {kind for kind, draw in draws.items() if draw is not None}
 
     @property
     def is_of_designs(self) -> bool:
@@ -151,13 +169,32 @@ class Overlay:
         values: dict[Taken, object] = {"surface": self._surface_values, "mesh": self._mesh_values}
         return frozenset(kind for kind, given in values.items() if given is not None)
 
-    def surface_values(self, surface: PlusSurface, u: Floats, v: Floats) -> Floats | None:
-        """(m_u, m_v) what a surface is colored by at parameters u and v; None if by nothing."""
-        return None if self._surface_values is None else self._surface_values(surface, u, v)
+    @property
+    def paints(self) -> bool:
+        """Whether it changes what surfaces look like: of such only one is switched on."""
+        return bool(self.colors) or bool(self.stripes)
 
-    def mesh_values(self, surface: MeshSurface, drawing: MeshDrawing) -> Floats | None:
+    def surface_values(
+        self, surface: PlusSurface, u: Floats, v: Floats, numbers: Numbers | None = None
+    ) -> Floats | None:
+        """(m_u, m_v) what a surface is colored by at parameters u and v; None if by nothing.
+
+        `numbers` are settings that are not as usual.
+        """
+        if self._surface_values is None:
+            return None
+        return self._surface_values(surface, u, v, *self._arguments(numbers))
+
+    def mesh_values(
+        self, surface: MeshSurface, drawing: MeshDrawing, numbers: Numbers | None = None
+    ) -> Floats | None:
         """(n,) what a surface is colored by at the points that are drawn; None if by nothing."""
-        return None if self._mesh_values is None else self._mesh_values(surface, drawing)
+        if self._mesh_values is None:
+            return None
+        return self._mesh_values(surface, drawing, *self._arguments(numbers))
+
+    def _arguments(self, numbers: Numbers | None) -> tuple[Numbers, ...]:
+        return ({**self.numbers({}), **(numbers or {})},) if self.settings else ()
 
     def draw(self, shape: Shape, geometry: Geometry, seen: Seen) -> Iterable[Item]:
         """What is drawn of a shape; nothing of a kind that it does not take."""
@@ -240,9 +277,10 @@ def overlay(
     coloring: Coloring = Coloring(),
     settings: tuple[Setting, ...] = (),
     group: Group = "",
+    stripes: StripeKind = "",
 ) -> Overlay:
     """A new entry on the shelf, which draws nothing yet."""
-    entry = Overlay(name, title, order, shortcut, coloring, settings, group)
+    entry = Overlay(name, title, order, shortcut, coloring, settings, group, stripes)
     return overlays.register(name)(entry)
 
 
@@ -252,9 +290,9 @@ def in_order() -> list[Overlay]:
 
 
 def switched(names: frozenset[str], name: str, is_on: bool) -> frozenset[str]:
-    """Those names with one more or less; what colors surfaces switches off what did before."""
+    """Those names with one more or less; what paints surfaces switches off what did before."""
     if not is_on:
         return names - {name}
-    if name in overlays and overlays[name].colors:
-        names = frozenset(i for i in names if i not in overlays or not overlays[i].colors)
+    if name in overlays and overlays[name].paints:
+        names = frozenset(i for i in names if i not in overlays or not overlays[i].paints)
     return names | {name}
