@@ -41,9 +41,9 @@ class PartReport:
 
     @property
     def rows(self) -> tuple[tuple[str, str], ...]:
-        """What, and how it is: ("Faces", "6: 6 quads")."""
+        """What, and how it is: ("Faces", "6 quads")."""
         rows = [
-            ("Faces", f"{self.face_count:,}: {by_corners(self.faces)}"),
+            ("Faces", faces_in_words(self.faces)),
             ("Vertices", f"{self.vertices:,}"),
             ("Holes", str(self.holes)),
             ("Handles", str(self.handles)),
@@ -96,6 +96,12 @@ def faces_by_corners(mesh: PolygonMesh) -> dict[int, int]:
     """How many faces there are of each number of corners."""
     counts = np.bincount(mesh.sizes).tolist()
     return {size: count for size, count in enumerate(counts) if count}
+
+
+def faces_in_words(faces: Mapping[int, int]) -> str:
+    """Such as "6 quads", or "128: 120 triangles, 8 quads"."""
+    total = f"{sum(faces.values()):,}: " if len(faces) > 1 else ""
+    return total + by_corners(faces)
 
 
 def by_corners(faces: Mapping[int, int]) -> str:

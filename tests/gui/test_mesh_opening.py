@@ -228,7 +228,7 @@ def test_a_report_tells_of_every_part(qtbot, window, cubes):
     assert dialog.parts.topLevelItemCount() == 3
     assert dialog.parts.topLevelItem(0).text(1) == "12 faces; 2 × pillow"
     rows = rows_of(dialog.parts.topLevelItem(1))
-    assert rows["Faces"] == "6: 6 quads"
+    assert rows["Faces"] == "6 quads"
     assert (rows["Holes"], rows["Handles"], rows["Flipped triangles"]) == ("0", "0", "0")
     assert rows["Map"].startswith("pillow, ")
 

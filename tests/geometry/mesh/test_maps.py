@@ -471,7 +471,7 @@ def test_faces_that_reach_half_around_are_told():
 
 def test_filled_holes_and_cuts_are_told():
     (note,) = mapped(without(ball(4), [0, 100, 200])).notes
-    assert note == "for the map, 3 holes were filled"
+    assert note == "3 holes were filled for the map"
     assert "with 2 handles the part was cut open" in mapped(rings(2)).notes[-1]
 
 

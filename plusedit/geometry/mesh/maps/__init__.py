@@ -114,7 +114,7 @@ def filled_but_one(subject: Subject) -> tuple[Sheet, Indices, tuple[str, ...]]:
     if not others:
         return sheet, sheet.ring(rim), ()
     filled = sheet.filled([sheet.ring(loop) for loop in others])
-    return filled, sheet.ring(rim), (f"for the map, {holes(len(others))} filled",)
+    return filled, sheet.ring(rim), (f"{holes(len(others))} filled for the map",)
 
 
 def all_filled(subject: Subject) -> tuple[Sheet, tuple[str, ...]]:
@@ -123,4 +123,4 @@ def all_filled(subject: Subject) -> tuple[Sheet, tuple[str, ...]]:
     if not loops:
         return sheet, ()
     filled = sheet.filled([sheet.ring(loop) for loop in loops])
-    return filled, (f"for the map, {holes(len(loops))} filled",)
+    return filled, (f"{holes(len(loops))} filled for the map",)

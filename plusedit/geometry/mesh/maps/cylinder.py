@@ -66,7 +66,7 @@ class Cylinder:
         energy = energies(sheet, places)
         height = np.sqrt(energy[0, 0] / energy[1, 1])
         places[..., 1] *= np.clip(height, 1.0 / LONGEST, LONGEST)
-        notes = (f"for the map, {holes(len(others))} filled",) if others else ()
+        notes = (f"{holes(len(others))} filled for the map",) if others else ()
         return Layout(CylinderDomain(), places[: sheet.own], notes)
 
 

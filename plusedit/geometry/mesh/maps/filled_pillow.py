@@ -21,7 +21,7 @@ class FilledPillow:
         sheet, loops = subject.sheet, subject.topology.loops
         filled = sheet.filled([sheet.ring(loop) for loop in loops])
         found = pillow_layout(filled, subject.cone_points, subject.progress)
-        told = f"for the map, {holes(len(loops))} filled"
+        told = f"{holes(len(loops))} filled for the map"
         return Layout(found.domain, found.places, (told,), found.cone_points)
 
 
