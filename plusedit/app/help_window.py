@@ -26,6 +26,12 @@ the parameters u and v it runs as L(u, v) = P + s ((u − x) d<sup>u</sup> + (v 
 In the views it is a small square with two grips: turn the yellow one to lead the surface along u,
 the magenta one along v, or turn the whole plane by a ring of the gizmo that a selected plane
 shows. Each direction can be open or closed: a sheet, a tube, a torus.</p>
+<h2>What becomes of a mesh</h2>
+<p>Each face of a polygon mesh is a control plane as well; blended by Gaussians over the parameters
+they make one smooth surface. The <b>smoothness S</b> says how wide the Gaussians are, in radii of
+the faces: ¼ shows the faces, 4 and more leaves large forms only. Select faces to move and turn
+their planes, or to make the surface sharper or smoother there alone. A direction is automatic
+while it is the face's own.</p>
 """
 
 MOUSE = (
@@ -49,6 +55,12 @@ MOUSE = (
     ("3D: drag an arrow or a ring", "Move along it, turn about it"),
     ("O while dragging a point", "Soft move: neighbors follow; the wheel, or [ and ], set how far"),
     ("Double-click an edge of a net", "Select that row of control planes"),
+    (
+        "Click on a selected mesh",
+        "Select the face there, a control plane like any other; Shift or Ctrl adds, Escape goes "
+        "back to the whole mesh. Delete leaves faces alone: Reset planes takes edits back",
+    ),
+    ("Drag a selected face", "Move it; on other faces Shift or Ctrl and drag selects by a box"),
     (
         "Parameters: click or drag a box",
         "Select faces of the mesh, which the other views show as control planes",
