@@ -12,7 +12,7 @@ only at the scale of sigma. So they are summed up at the nodes of grids and inte
 * The larger S, the fewer nodes and tiles. A plane's window has the same number of nodes for all S.
 * Tiles with few places or planes, and for small S all, are summed up without a grid.
 
-Planes beyond 5.3 sigma are left out; the error stays below 1e-5 of the mesh's diagonal. Where D is
+Planes beyond 5.5 sigma are left out; the error stays below 1e-5 of the mesh's diagonal. Where D is
 too small to tell, the surface is evaluated to full accuracy.
 """
 
@@ -30,6 +30,7 @@ from plusedit.geometry.mesh.evaluation import cone_points, points_and_normals
 from plusedit.geometry.mesh.forest import forest
 from plusedit.geometry.mesh.held import Held
 from plusedit.geometry.mesh.mesh_surface import MeshSurface
+from plusedit.geometry.mesh.preview_cones import cone_normals
 from plusedit.geometry.mesh.preview_sums import Target, solitary, sums
 
 THIN = 0.02  # of D where planes lie evenly: below, the surface is evaluated to full accuracy
@@ -76,7 +77,10 @@ def _quickly(
     found = sums(wood, surface.planes, target, smoothness, surface.s)
     least = THIN * max(1.0, smoothness**2) * exp(-solitary(smoothness))
     finish(found, target.order, least, wood.middle, wood.size, points, normals, weak)
-    weak[cone_points(surface.domain, places)] = True
+    cones = cone_points(surface.domain, places)
+    if len(cones):
+        normals[cones] = cone_normals(surface, places[cones])
+        weak[cones] |= ~normals[cones].any(axis=1)
     return weak
 
 

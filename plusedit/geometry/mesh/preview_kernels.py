@@ -154,12 +154,12 @@ def finish(
     Where D is below `least` nothing is written, and `weak` becomes true.
     """
     for p in range(len(order)):
-        total = float(sums[p, 0])
+        total = np.float64(sums[p, 0])
         to = order[p]
         if not total >= least:
             weak[to] = True
             continue
-        # Where no plane is near all sums are tiny, and their products in single precision zero.
+        # In double precision: products of tiny sums, as of steep slopes, are none of single.
         x, y, z = sums[p, 1] / total, sums[p, 2] / total, sums[p, 3] / total
         points[to, 0] = middle[0] + size * x
         points[to, 1] = middle[1] + size * y

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from plusedit.geometry.mesh.tile_kernels import Scene
 
 SPACING = 0.4  # of grids, in units of the least sigma of a tree
-REACH = 5.3  # sigma: farther planes are left out
+REACH = 5.5  # sigma: farther planes are left out
 ALONE = 1.6  # reaches that the nearest plane may be away from a place, if S is small
 SMALL = 0.7  # S below which a grid is too coarse for the few planes at a place
 WIDTH = 56  # nodes across a tile
@@ -34,6 +34,7 @@ PER_PLANE = 250.0  # a plane at the nodes of a grid
 PER_PLACE = 100.0  # a place at a grid
 PER_TILE = 5000.0
 TILES = 1 << 13  # room for these at first
+DENSE = 128  # places looking for planes together, if there are as many places as planes
 
 Singles = NDArray[np.float32]
 Counts = NDArray[np.int64]
@@ -54,22 +55,16 @@ class Target:
     """(m, 2) in that order"""
     box: Floats
     """(2, 2) the least u and v, and the largest"""
-    blocks: Counts
-    """(k, 2) the first and after the last of places that are near each other"""
 
     @classmethod
     def of(cls, domain: Domain, places: Floats) -> "Target":
         """Those of at least one place (m, 2); ValueError where they are not finite."""
-        from plusedit.geometry.mesh.tile_kernels import blocks as listed_blocks
-
         inside = domain.reduced(places)
         if not np.isfinite(inside).all():
             raise ValueError("places: has a value that is not finite")
         found = ordered(inside)
         box = np.stack([inside.min(axis=0), inside.max(axis=0)])
-        blocks = _listed(partial(listed_blocks, found.codes), 2)
-        places = inside[found.order]
-        return cls(found.order, found.codes, found.low, found.extent, places, box, blocks)
+        return cls(found.order, found.codes, found.low, found.extent, inside[found.order], box)
 
 
 def solitary(smoothness: float) -> float:
@@ -83,16 +78,19 @@ def sums(wood: Forest, planes: FacePlanes, target: Target, smoothness: float, s:
     Points are measured from the forest's middle and by its size, u and v by the target's extent.
     """
     from plusedit.geometry.mesh import preview_kernels as kernels
-    from plusedit.geometry.mesh.tile_kernels import COLUMNS
+    from plusedit.geometry.mesh import tile_kernels
 
     places = target.places
+    # Places far from each other would see too many planes, and too wide a box has too few digits.
+    most = min(max(1, DENSE * len(places) // len(wood.whole.order)), tile_kernels.BLOCK)
     if _is_small(wood, target, smoothness):
         scene = scene_of(wood, wood.whole, planes, target, smoothness, s)
-        rows = np.zeros((len(target.blocks), COLUMNS), dtype=np.int64)
-        rows[:, 1:3] = target.blocks
+        blocks = _listed(partial(tile_kernels.blocks, target.codes, most), 2)
+        rows = np.zeros((len(blocks), tile_kernels.COLUMNS), dtype=np.int64)
+        rows[:, 1:3] = blocks
         return _in_turns([(partial(kernels.one_by_one, scene, places), rows)], len(places))
     scene = scene_of(wood, wood.parted, planes, target, smoothness, s)
-    rows = _tiles(scene, target)
+    rows = _tiles(scene, target, max(1, most // 4))
     cost, suits = _grid_cost(rows)
     dearest = np.argsort(-cost)
     rows, suits = rows[dearest], suits[dearest]
@@ -113,11 +111,11 @@ def _is_small(wood: Forest, target: Target, smoothness: float) -> bool:
     return smoothness < SMALL or pairs < grids
 
 
-def _tiles(scene: "Scene", target: Target) -> Counts:
+def _tiles(scene: "Scene", target: Target, most: int) -> Counts:
     """(k, 5) the tiles, as `tile_kernels` has them."""
     from plusedit.geometry.mesh import tile_kernels as kernels
 
-    work = partial(kernels.tiles, scene, target.codes, target.low, target.extent)
+    work = partial(kernels.tiles, scene, target.codes, target.low, target.extent, most)
     return _listed(work, kernels.COLUMNS)
 
 

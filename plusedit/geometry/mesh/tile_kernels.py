@@ -179,9 +179,10 @@ def tiles(
     codes: NDArray[np.uint64],
     low: Floats,
     extent: float,
+    most: int,
     out: Counts,
 ) -> int:
-    """List the tiles, each no larger than its grid may be; how many there are.
+    """List the tiles, no larger than a grid may be or of at most so many places; their number.
 
     `codes` (m, 2) are the bits of the places in their order, and `low` and `extent` the square
     that they divide. Of more tiles than `out` has rows only the number is told.
@@ -202,7 +203,7 @@ def tiles(
             side_u, side_v = extent * 0.5 ** (level // 2), extent * 0.5 ** ((level + 1) // 2)
             box[0], box[1], box[2], box[3] = u, v, u + side_u, v + side_v
             fits = side_u <= side and side_v <= side
-            small = fits or stop - start <= LEAF or level >= DEEPEST_LEVEL
+            small = fits or stop - start <= most or level >= DEEPEST_LEVEL
             planes = leaves_near(scene, tree, box, near, stack, 1 << 30 if small else 1)
             if planes == 0:
                 continue
@@ -251,8 +252,8 @@ def bounds_of(places: Floats, start: int, stop: int, box: Floats) -> None:
 
 
 @compiled
-def blocks(codes: NDArray[np.uint64], out: Counts) -> int:
-    """(k, 2) rows of at most 64 places in squares of halves of squares; how many there are.
+def blocks(codes: NDArray[np.uint64], most: int, out: Counts) -> int:
+    """(k, 2) rows of at most so many places in squares or halves of squares; how many there are.
 
     Of more than `out` has rows only the number is told.
     """
@@ -264,7 +265,7 @@ def blocks(codes: NDArray[np.uint64], out: Counts) -> int:
         start, stop, level = ranges[waiting, 0], ranges[waiting, 1], ranges[waiting, 2]
         if start == stop:
             continue
-        if stop - start <= BLOCK or level >= DEEPEST_LEVEL:
+        if stop - start <= most or level >= DEEPEST_LEVEL:
             if found < len(out):
                 out[found, 0], out[found, 1] = start, stop
             found += 1

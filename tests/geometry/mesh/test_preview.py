@@ -38,14 +38,14 @@ def hills(u, v):
     return u, v, 0.1 * np.sin(9.0 * u) * np.cos(7.0 * v) + 0.002 * np.sin(200.0 * u + 90.0 * v)
 
 
-def limb(count=50, **options):
-    """A closed surface whose map shrinks its end: radii from 1e-6 to 0.05."""
-    corners = grid_corners(uneven(0.0, 1.0, 2 * count), np.geomspace(1e-5, 1.0, count))
+def limb(count=50, least=1e-5, **options):
+    """A closed surface whose map shrinks its end: radii from a tenth of the least to 0.05."""
+    corners = grid_corners(uneven(0.0, 1.0, 2 * count), np.geomspace(least, 1.0, count))
 
     def shape(u, v):
         around = 2.0 * np.pi * u
         height = np.log(v) / 5.0
-        width = 0.3 * (1.0 - (1.0 + height) ** 2 * 0.2)
+        width = 0.3 * (1.0 - 0.5 * np.sin(height))
         return width * np.cos(around), width * np.sin(around), height
 
     def mapped(each):
@@ -161,6 +161,14 @@ def test_places_where_no_plane_is_near_are_evaluated_all_the_same(smoothness):
     places = np.array([[0.5, 0.5], [3.0, 0.2], [-50.0, 1e4], [1.0 + 1e-3, 1.0]])
     agrees(surface, places, size=1e4)
     assert_allclose(preview(surface, places).points[0], surface.at(places[:1])[0], atol=NEAR)
+
+
+@pytest.mark.parametrize("count", [8, 600])
+def test_the_end_of_a_long_limb_is_near_whatever_else_is_asked_for(count):
+    surface = limb(least=1e-11)
+    for smoothness in (0.25, 1.0, 4.0):
+        places = np.random.default_rng(1).choice(surface.vertex_places, count)
+        agrees(surface.with_smoothness(smoothness), places)
 
 
 def test_radii_as_different_as_in_the_map_of_a_thin_limb():
