@@ -4,9 +4,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from plusedit.commands.base import Command, edit_shapes, fitted, kind_of
+from plusedit.commands.base import Command, edit_geometries, fitted, kind_of
 from plusedit.document.design import Design
-from plusedit.document.shape import PlusGeometry, ShapeId
+from plusedit.document.shape import Geometry, ShapeId
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.influence import Place
 from plusedit.geometry.pulling import Change, pulled
@@ -14,7 +14,10 @@ from plusedit.geometry.pulling import Change, pulled
 
 @dataclass(frozen=True, eq=False)
 class Pull(Command):
-    """Bring a point of a curve or surface to another place by the least change of its data."""
+    """Bring a point of a curve or surface to another place by the least change of its data.
+
+    Of a mesh the control planes of the faces around change.
+    """
 
     shape_id: ShapeId
     place: Place
@@ -31,8 +34,8 @@ class Pull(Command):
         return f"Pull {kind_of(design, [self.shape_id])}"
 
     def apply(self, design: Design) -> Design:
-        def moved(_: ShapeId, geometry: PlusGeometry) -> PlusGeometry:
+        def moved(_: ShapeId, geometry: Geometry) -> Geometry:
             target = fitted(np.asarray(self.to), geometry.dimension)
             return pulled(geometry, self.place, target, self.change)
 
-        return edit_shapes(design, [self.shape_id], moved)
+        return edit_geometries(design, [self.shape_id], lambda i: design[i].geometry, moved)

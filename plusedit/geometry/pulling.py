@@ -9,17 +9,15 @@ where a gradient counts as what it moves its own line by over the spacing h of t
 points, or only gradients, may change as well: T has the other sum no more.
 """
 
-from typing import Literal, TypeAlias, get_args
+from typing import Literal, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from plusedit.geometry.arrays import Floats, frozen
 from plusedit.geometry.curve import PlusCurve
-from plusedit.geometry.influence import Influence, Place, influence
-from plusedit.geometry.surface import PlusSurface
-
-Pullable: TypeAlias = PlusCurve | PlusSurface
+from plusedit.geometry.influence import Influence, Linear, Place, influence
+from plusedit.geometry.mesh.mesh_surface import MeshSurface
 
 Change = Literal["points", "gradients", "both"]
 """What may change."""
@@ -30,7 +28,7 @@ FAINT = 1e-6  # of the largest share: a line with less stays as it is
 LEAST = 1e-12  # share of the gradients: below, they have no hold on the point
 
 
-def pulled(geometry: Pullable, place: Place, to: ArrayLike, change: Change = "points") -> Pullable:
+def pulled(geometry: Linear, place: Place, to: ArrayLike, change: Change = "points") -> Linear:
     """The shape whose point at `place` is `to` (dim,), with the least change of its data.
 
     Parameters
@@ -57,7 +55,7 @@ def pulled(geometry: Pullable, place: Place, to: ArrayLike, change: Change = "po
     return _by_gradients(geometry, place, target, shares, with_points=change == "both")
 
 
-def _by_points(geometry: Pullable, place: Place, target: Floats, shares: Influence) -> Pullable:
+def _by_points(geometry: Linear, place: Place, target: Floats, shares: Influence) -> Linear:
     net, start = geometry.net, geometry.net.control_points
     row = _cut(shares.values)
     row = row / (row @ shares.values)
@@ -88,10 +86,10 @@ def _by_points(geometry: Pullable, place: Place, target: Floats, shares: Influen
 
 
 def _by_gradients(
-    geometry: Pullable, place: Place, target: Floats, shares: Influence, *, with_points: bool
-) -> Pullable:
+    geometry: Linear, place: Place, target: Floats, shares: Influence, *, with_points: bool
+) -> Linear:
     net, spacings = geometry.net, _spacings(geometry)
-    reaches = _cut(shares.reaches / spacings[:, None])
+    reaches = _cut(shares.reaches / spacings)
     if np.abs(reaches).max() <= LEAST and not with_points:
         raise ValueError(
             "There only control points have a hold on the shape, as at an open end: pull points."
@@ -100,8 +98,8 @@ def _by_gradients(
     by = target - _at(geometry, place)
     if not by.any():
         return geometry
-    total = float(values @ shares.values + (reaches * shares.reaches / spacings[:, None]).sum())
-    turned = np.multiply.outer(reaches / (spacings[:, None] * total * geometry.s), by)
+    total = float(values @ shares.values + (reaches * shares.reaches / spacings).sum())
+    turned = np.multiply.outer(reaches / (spacings * total * geometry.s), by)
     # A direction that has no share may go on following its neighbors, wherever these go.
     bound = NEAR * np.abs(shares.reaches).max() if with_points else 0.0
     stays = (np.abs(shares.reaches) <= bound) | ((reaches == 0.0) & (not with_points))
@@ -120,17 +118,23 @@ def _cut(shares: Floats) -> Floats:
     return cut
 
 
-def _spacings(geometry: Pullable) -> Floats:
-    """(k,) of the nodes by each direction."""
+def _spacings(geometry: Linear) -> Floats:
+    """(k, 1) of the nodes by each direction; (1, f) of a mesh the radii of its faces."""
     if isinstance(geometry, PlusCurve):
-        return np.array([geometry.spacing])
-    return np.array(geometry.spacings)
+        return np.array([[geometry.spacing]])
+    if isinstance(geometry, MeshSurface):
+        radii = geometry.foundation.planes.radii
+        return np.where(radii > 0.0, radii, 1.0)[None]
+    return np.array(geometry.spacings)[:, None]
 
 
-def _at(geometry: Pullable, place: Place) -> Floats:
+def _at(geometry: Linear, place: Place) -> Floats:
     """(dim,) the point of the shape."""
     if isinstance(geometry, PlusCurve):
-        point: Floats = geometry.at([place[0]])[0]
-        return point
-    found: Floats = geometry.derivatives_at([place], highest=0)[0][0]
-    return found
+        at = geometry.at([place[0]])
+    elif isinstance(geometry, MeshSurface):
+        at = geometry.at([place])
+    else:
+        at = geometry.derivatives_at([place], highest=0)[0]
+    point: Floats = at[0]
+    return point

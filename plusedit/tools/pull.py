@@ -124,9 +124,8 @@ def _grip_under(at: Floats, stage: Stage) -> Grip | None:
     """On the nearest curve, if one is near, else on the surface there."""
     for hit in curves_under(at, stage, REACH)[:1]:
         return Grip(hit.shape, (hit.u,))
-    for hit in surfaces_under(at, stage):
-        if hit.kind == "surface":
-            return Grip(hit.shape, (hit.u, hit.v))
+    for hit in surfaces_under(at, stage)[:1]:
+        return Grip(hit.shape, (hit.u, hit.v))
     return None
 
 
@@ -135,6 +134,9 @@ def _point(grip: Grip, stage: Stage) -> Floats:
     if len(grip.place) == 1:
         point: Floats = in_space(stage.design.curve(grip.shape).at([grip.place[0]]))[0]
         return point
+    mesh = stage.design[grip.shape].mesh
+    if mesh is not None:
+        return np.array(mesh.at([grip.place])[0])
     surface = stage.design.surface(grip.shape)
     return np.array(surface.derivatives_at([grip.place], highest=0)[0][0])
 
@@ -144,7 +146,7 @@ def _way(grip: Grip, anchor: Floats, start: Pointer, stage: Stage) -> Way:
     start = replace(start, **dict(zip("xy", stage.camera.to_screen(anchor[None])[0], strict=True)))
     if isinstance(stage.camera, PlaneCamera):
         return PlaneWay(stage, anchor, start)
-    flat = stage.design.plus(grip.shape).dimension == 2
+    flat = stage.design[grip.shape].geometry.dimension == 2
     return SpaceWay(stage.camera, anchor, start, flat, None)
 
 

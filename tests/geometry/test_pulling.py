@@ -14,8 +14,10 @@ from plusedit.geometry.lines import ControlLines
 from plusedit.geometry.pulling import Change, pulled
 from plusedit.geometry.surface import PlusSurface
 from tests.geometry.curves import KINDS, random_curve
+from tests.geometry.mesh.mesh_surfaces import cylinder, height_field, pillow, torus
 from tests.geometry.surfaces import PAIRS, random_surface
 
+BODIES = {"plane": height_field, "cylinder": cylinder, "torus": torus, "pillow": pillow}
 CHANGES: list[Change] = ["points", "gradients", "both"]
 
 
@@ -129,3 +131,26 @@ def test_what_makes_no_sense_is_refused():
     with pytest.raises(ValueError, match="place"):
         pulled(surface, (0.5,), [0.0, 0.0, 0.0])
     assert isinstance(surface, PlusSurface)
+
+
+@pytest.mark.parametrize("kind", sorted(BODIES))
+@pytest.mark.parametrize("smoothness", [0.5, 3.0])
+def test_shares_of_faces_are_what_a_mesh_surface_is_made_of(kind, smoothness):
+    surface = BODIES[kind]().with_smoothness(smoothness).with_s(0.8)
+    for place in surface.vertex_places[[0, 5, 11]]:
+        shares = influence(surface, tuple(place))
+        by_u, by_v = surface.s * surface.vectors
+        summed = shares.values @ surface.net.control_points
+        summed += shares.reaches[0] @ by_u + shares.reaches[1] @ by_v
+        assert_allclose(summed, surface.at([place])[0], atol=1e-10)
+
+
+@pytest.mark.parametrize("change", CHANGES)
+def test_a_mesh_surface_comes_to_the_target_and_changes_nearby_alone(change):
+    surface = BODIES["pillow"]()
+    place = tuple(surface.vertex_places[7])
+    target = surface.at([place])[0] + np.array([0.2, -0.1, 0.3])
+    moved = pulled(surface, place, target, change)
+    assert_allclose(moved.at([place])[0], target, atol=1e-9)
+    assert 0 < len(moved.edited) <= surface.mesh.face_count
+    assert (moved.net.automatic_vectors.all()) == (change == "points")
