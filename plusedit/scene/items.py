@@ -127,4 +127,28 @@ class Legend:
     """whether some values are below its low end, or above its high end"""
 
 
-Item: TypeAlias = Polyline | Polygon | Segments | Markers | Label | Patch | Mesh | Legend
+@dataclass(frozen=True)
+class Row:
+    """A line of a caption."""
+
+    text: str
+    value: str = ""
+    """a number with its unit, at the right edge"""
+    color: str = ""
+    """what is drawn in that color is meant; empty if no color tells it"""
+
+
+@dataclass(frozen=True, eq=False)
+class Caption:
+    """Words and numbers in a corner of the picture."""
+
+    title: str
+    rows: tuple[Row, ...] = ()
+    at: tuple[float, float] = (0.0, 0.0)
+    """pixels to the right and upwards from its usual place, in the lower left corner: where other
+    captions are already"""
+
+
+Words: TypeAlias = Label | Legend | Caption
+"""What is written: in front of everything, by no light, at no depth."""
+Item: TypeAlias = Polyline | Polygon | Segments | Markers | Label | Patch | Mesh | Legend | Caption

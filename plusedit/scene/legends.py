@@ -58,8 +58,8 @@ def placed(legend: Legend, size: tuple[float, float]) -> PlacedLegend | None:
     tips = TIP * sum(legend.is_open)
     around = 2.0 * PADDING + LINE * len(heading) + tips + NUMBERS / 2.0
     room = size[1] - 2.0 * MARGIN - around
-    numbers = max((_width(text, NUMBERS) for _, text in legend.ticks), default=0.0)
-    inner = max(BAR + TICK + GAP + numbers, *(_width(text, WORDS) for text in heading))
+    numbers = max((width_of(text, NUMBERS) for _, text in legend.ticks), default=0.0)
+    inner = max(BAR + TICK + GAP + numbers, *(width_of(text, WORDS) for text in heading))
     width = inner + 2.0 * PADDING
     is_right = room - AXES >= SHORTEST or size[0] < width + AXES
     fair = max(SHORTEST, min(SHARE[0] * size[1], SHARE[1] * size[0]))
@@ -120,5 +120,6 @@ def _tips(
     return low, high
 
 
-def _width(text: str, size: float) -> float:
+def width_of(text: str, size: float) -> float:
+    """How wide a text is taken to be, in letters that high."""
     return LETTER * size * len(text)

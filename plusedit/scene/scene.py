@@ -4,7 +4,7 @@ This is the one place that says how a design looks; windows, pictures and SVG fi
 comes from here.
 """
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass
 from itertools import chain
 
@@ -16,8 +16,9 @@ from plusedit.document.shape import PlusGeometry, Shape, ShapeId
 from plusedit.geometry.curve import PlusCurve
 from plusedit.scene.arrows import direction_arrow
 from plusedit.scene.camera import PlaneCamera
+from plusedit.scene.captions import in_corners
 from plusedit.scene.drawn_surface import surface_grids
-from plusedit.scene.items import Item
+from plusedit.scene.items import Caption, Item, Legend
 from plusedit.scene.mesh_shapes import mesh_items_in_plane
 from plusedit.scene.options import ViewOptions
 from plusedit.scene.shapes import (
@@ -39,9 +40,13 @@ class Layers:
     overlays: tuple[Item, ...]
     shapes: tuple[Item, ...]
     handles: tuple[Item, ...]
+    legends: tuple[Legend, ...] = ()
+    captions: tuple[Caption, ...] = ()
+    """all in the same place: they are yet to be stacked"""
 
     def __iter__(self) -> Iterator[Item]:
-        return chain(self.overlays, self.shapes, self.handles)
+        marks = chain(self.overlays, self.shapes, self.handles)
+        return chain(marks, in_corners((*self.legends, *self.captions)))
 
 
 def scene_items(
@@ -56,9 +61,9 @@ def scene_items(
 ) -> Layers:
     """How `design` looks; with `only`, how those shapes of it do.
 
-    `glow` is the halo of selected shapes, which takes longer than all else of a curve. Without
-    `wait` surfaces of meshes are as they are known by now. What is too large to be calculated with
-    is left out.
+    What overlays draw about a design as a whole is left out then. `glow` is the halo of selected
+    shapes, which takes longer than all else of a curve. Without `wait` surfaces of meshes are as
+    they are known by now. What is too large to be calculated with is left out.
     """
     shown, meshes = shown_shapes(design, only), shown_meshes(design, only)
     overlays = chain(
@@ -79,9 +84,28 @@ def scene_items(
         )
     )
     handles = handle_items(design, camera, options, selection, only)
-    layers = (overlays, chain(of_meshes, shapes), handles)
+    return _layers(overlays, chain(of_meshes, shapes), handles)
+
+
+def design_items(
+    design: Design, camera: PlaneCamera, options: ViewOptions, selection: Selection
+) -> Layers:
+    """What overlays draw about a design as a whole, and nothing else."""
+    return _layers(design_overlay_items(design, camera, options, selection))
+
+
+def _layers(
+    overlays: Iterable[Item], shapes: Iterable[Item] = (), handles: Iterable[Item] = ()
+) -> Layers:
     with np.errstate(all="ignore"):
-        return Layers(*(tuple(filter(is_finite, layer)) for layer in layers))
+        drawn = [item for item in overlays if is_finite(item)]
+        return Layers(
+            tuple(item for item in drawn if not isinstance(item, Legend | Caption)),
+            tuple(filter(is_finite, shapes)),
+            tuple(filter(is_finite, handles)),
+            tuple(item for item in drawn if isinstance(item, Legend)),
+            tuple(item for item in drawn if isinstance(item, Caption)),
+        )
 
 
 def _shape(

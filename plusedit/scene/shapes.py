@@ -20,7 +20,7 @@ from plusedit.scene.drawn_surface import Grids
 from plusedit.scene.face_outlines import face_items
 from plusedit.scene.handles import faces_handled, handle_shapes
 from plusedit.scene.isolines import isoline_items, isolines
-from plusedit.scene.items import Item, Label, Legend, Mesh, Patch, Polyline, Segments
+from plusedit.scene.items import Caption, Item, Label, Legend, Mesh, Patch, Polyline, Segments
 from plusedit.scene.options import ViewOptions
 from plusedit.scene.overlays import Seen, in_order
 from plusedit.scene.silhouettes import silhouette
@@ -163,7 +163,7 @@ def is_finite(item: Item) -> bool:
             return bool(np.isfinite(starts).all() and np.isfinite(ends).all())
         case Label(at):
             return bool(np.isfinite(at).all())
-        case Patch() | Legend():
+        case Patch() | Legend() | Caption():
             return True
         case Mesh(points, _, normals):
             # Areas and squares of what is huge are beyond a double before the points are.

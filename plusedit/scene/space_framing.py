@@ -13,6 +13,7 @@ from plusedit.scene.drawn import drawn
 from plusedit.scene.drawn_surface import coarse_points
 from plusedit.scene.extremes import telling
 from plusedit.scene.items import (
+    Caption,
     Item,
     Label,
     Legend,
@@ -85,5 +86,5 @@ def _places(item: Item) -> Iterator[Floats]:
             yield ends
         case Label(at):
             yield at[None]
-        case Patch() | Legend():
+        case Patch() | Legend() | Caption():
             pass

@@ -4,7 +4,7 @@ This is the one place that says how a design looks in 3D; windows and pictures d
 here. Items are the same objects as before while what they show stays as it is.
 """
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass
 from itertools import chain
 from typing import TypeAlias
@@ -19,6 +19,7 @@ from plusedit.geometry.arrays import Floats
 from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.surface import PlusSurface
 from plusedit.scene.arrows import direction_arrow
+from plusedit.scene.captions import stacked
 from plusedit.scene.color_scale import Colors
 from plusedit.scene.coloring import (
     NO_TINTS,
@@ -33,7 +34,7 @@ from plusedit.scene.drawn_mesh import drawing_of
 from plusedit.scene.drawn_surface import Grids, surface_grids
 from plusedit.scene.face_outlines import face_fill
 from plusedit.scene.gizmo import gizmo_items, gizmo_of
-from plusedit.scene.items import Item, Label, Mesh, Patch, Polygon
+from plusedit.scene.items import Caption, Item, Label, Legend, Mesh, Patch, Polygon
 from plusedit.scene.mesh_shapes import darker, mesh_items_in_space
 from plusedit.scene.options import ViewOptions
 from plusedit.scene.shapes import (
@@ -70,9 +71,15 @@ class SpaceLayers:
     fainter"""
     labels: tuple[Item, ...] = ()
     """in front of everything, the first one farthest back: words, and what moves the selection"""
+    captions: tuple[Caption, ...] = ()
+    """all in the same place: they are yet to be stacked"""
 
     def __iter__(self) -> Iterator[Item]:
-        return chain(self.solids, self.glass, self.lines, self.handles, self.labels)
+        return chain(self.solids, self.glass, self.lines, self.handles, self.words())
+
+    def words(self, more: Iterable[Caption] = ()) -> Iterator[Item]:
+        """The labels, and all captions stacked, with more of them."""
+        return chain(self.labels, stacked([*self.captions, *more]))
 
 
 def space_items(
@@ -95,6 +102,7 @@ def space_items(
     glass: list[Area] = []
     lines: list[Item] = []
     labels: list[Item] = []
+    captions: list[Caption] = []
     with np.errstate(all="ignore"):
         tints = _tints(design, camera, options, draft=draft, wait=wait, only=only)
         overlays = chain(
@@ -136,7 +144,9 @@ def space_items(
                     solids.append(item)
                 case Patch() | Mesh() | Polygon():
                     glass.append(item)
-                case Label():
+                case Caption():
+                    captions.append(item)
+                case Label() | Legend():
                     labels.append(item)
                 case _:
                     lines.append(item)
@@ -144,7 +154,14 @@ def space_items(
         labels += filter(is_finite, _gizmo(design, camera, options, selection))
         if tints.legend is not None:
             labels.append(tints.legend)
-        return SpaceLayers(tuple(solids), tuple(glass), tuple(lines), tuple(handles), tuple(labels))
+        return SpaceLayers(
+            tuple(solids),
+            tuple(glass),
+            tuple(lines),
+            tuple(handles),
+            tuple(labels),
+            tuple(captions),
+        )
 
 
 def _faces(

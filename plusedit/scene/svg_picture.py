@@ -12,6 +12,7 @@ import numpy as np
 
 from plusedit.geometry.arrays import Floats
 from plusedit.scene.camera import Camera
+from plusedit.scene.captions import THICK, placed_caption
 from plusedit.scene.clipping import (
     Box,
     clipped_polygon,
@@ -19,7 +20,17 @@ from plusedit.scene.clipping import (
     clipped_segments,
     reaches_beyond,
 )
-from plusedit.scene.items import Dash, Item, Label, Legend, Markers, Polygon, Polyline, Segments
+from plusedit.scene.items import (
+    Caption,
+    Dash,
+    Item,
+    Label,
+    Legend,
+    Markers,
+    Polygon,
+    Polyline,
+    Segments,
+)
 from plusedit.scene.legends import PlacedLegend, Word, placed
 from plusedit.scene.theme import Theme
 
@@ -146,6 +157,21 @@ class _Picture:
             *_bar(legend),
             f'<path d="{ticks}" {self.stroke("text", 1.0)}/>',
             *(self._word(word) for word in legend.words),
+        ]
+
+    @elements.register
+    def _(self, item: Caption) -> list[str]:
+        caption = placed_caption(item, self.camera.size)
+        if caption is None:
+            return []
+        ground = f"{self.fill('panel')} {self.stroke('border', 1.0)}"
+        return [
+            f'<rect {_extent(caption.box)} rx="4" {ground}/>',
+            *(
+                f'<path d="M{_number(a)} {_number(y)}H{_number(b)}" {self.stroke(color, THICK)}/>'
+                for a, b, y, color in caption.samples
+            ),
+            *(self._word(word) for word in caption.words),
         ]
 
     def _word(self, word: Word) -> str:

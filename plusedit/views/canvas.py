@@ -13,7 +13,9 @@ from plusedit.document.shape import ShapeId
 from plusedit.interaction.gesture import Gestures
 from plusedit.interaction.tool import Pointer
 from plusedit.scene.camera import PlaneCamera
+from plusedit.scene.captions import in_corners
 from plusedit.scene.framing import framed
+from plusedit.scene.items import Caption, Legend
 from plusedit.views.editing import MARGIN, Editing
 from plusedit.views.ground import RULER, paint_marks
 from plusedit.views.notices import paint_empty, paint_readout
@@ -50,8 +52,13 @@ class PlaneCanvas(Editing[PlaneCamera], PlaneView):
         )
         previewed = self._session.is_previewing
         with painting(self) as painter:
-            self._strata.paint(painter, self._session.design, look, previewed=previewed)
+            words = self._strata.paint(painter, self._session.design, look, previewed=previewed)
+            items = ItemPainter(painter, self.camera, self._theme.legible())
+            spotted = self._spotted()
+            items.paint(item for item in spotted if not isinstance(item, Legend | Caption))
             ItemPainter(painter, self.camera, self._theme).paint(self._feedback.items)
+            words += [item for item in spotted if isinstance(item, Legend | Caption)]
+            items.paint(in_corners(words, RULER if self._options.rulers else 0.0))
             self._paint_words(painter, beside_rulers(look))
         if self._strata.is_apart and not previewed and not self._rest.isActive():
             self._rest.start()

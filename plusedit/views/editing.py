@@ -5,6 +5,7 @@ what comes back is drawn.
 """
 
 from collections.abc import Callable, Collection
+from dataclasses import replace
 
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt, QTimer, Signal
 from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QKeyEvent, QMouseEvent, QWheelEvent
@@ -15,10 +16,12 @@ from plusedit.document.shape import ShapeId
 from plusedit.interaction.gesture import Gestures
 from plusedit.interaction.tool import Feedback, Held, Pointer
 from plusedit.scene.drawn_mesh import looks_alike
+from plusedit.scene.items import Item
 from plusedit.scene.options import ViewOptions
 from plusedit.scene.theme import LIGHT, Theme
 from plusedit.views.navigation import C
 from plusedit.views.pointer import held_after, key_of, pointer_of
+from plusedit.views.spots import Spots
 from plusedit.views.wayfinding import NOTCH, Wayfinding
 
 MARGIN = 48.0  # pixels around what is framed
@@ -41,6 +44,7 @@ class Editing(Wayfinding[C]):
         self._frame_at_first = True
         self._is_moving = False
         """whether the view is on its way elsewhere, and drawing all takes long"""
+        self._spots = Spots()
         self._is_resting = True
         """whether neither the view nor the design has changed for a moment"""
         self._rest = QTimer(self, singleShot=True, interval=RESTS_AFTER)
@@ -134,6 +138,12 @@ class Editing(Wayfinding[C]):
     def _show_feedback(self) -> None:
         """Draw what the tool shows now."""
         self.update()
+
+    def _spotted(self) -> tuple[Item, ...]:
+        """What overlays show at the point under the pointer."""
+        stage = replace(self._gestures.stage(), design=self._session.design, camera=self.camera)
+        at = None if self.is_panned else self._pointer
+        return self._spots.items(at, stage, is_busy=self._gestures.is_busy)
 
     def _at_rest(self) -> None:
         """There is time to draw all as well as can be, and to look what is under the pointer."""

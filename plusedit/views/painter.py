@@ -16,6 +16,7 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPaintDevice, QPainter, 
 
 from plusedit.geometry.arrays import Floats
 from plusedit.scene.camera import Camera
+from plusedit.scene.captions import placed_caption
 from plusedit.scene.clipping import (
     Box,
     clipped_polygon,
@@ -24,6 +25,7 @@ from plusedit.scene.clipping import (
     reaches_beyond,
 )
 from plusedit.scene.items import (
+    Caption,
     Item,
     Label,
     Legend,
@@ -214,6 +216,15 @@ def _(item: Legend, to: ItemPainter) -> None:
     legend = placed(item, to.camera.size)
     if legend is not None:
         paint_legend(to.painter, legend, to.theme)
+
+
+@_draw.register
+def _(item: Caption, to: ItemPainter) -> None:
+    from plusedit.views.legend import paint_caption
+
+    caption = placed_caption(item, to.camera.size)
+    if caption is not None:
+        paint_caption(to.painter, caption, to.theme)
 
 
 _ROUND, _SQUARE = Qt.PenCapStyle.RoundCap, Qt.PenCapStyle.SquareCap

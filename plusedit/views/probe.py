@@ -47,24 +47,14 @@ def _nearest(curve: PlusCurve, camera: Camera, pixel: Floats) -> float | None:
 
 def _of_surface(surface: PlusSurface, camera: Camera, pixel: Floats) -> str:
     from plusedit.geometry.surface_frames import gaussian_curvature, mean_curvature
-    from plusedit.geometry.surface_nearest import hit_by_ray
+    from plusedit.interaction.spotting import place_under
 
-    origin, way = camera.ray(pixel)
-    if isinstance(camera, PlaneCamera):
-        # A parallel view begins outside of all there is.
-        points = surface.planes.control_points
-        origin = origin - way * (2.0 * float(np.abs(points).max()) + surface_reach(surface))
-    hit = hit_by_ray(surface, origin, way)
-    if hit is None:
+    place = place_under(surface, pixel, camera)
+    if place is None:
         return ""
-    found = surface.derivatives_at([[hit.u, hit.v]])
+    found = surface.derivatives_at([place])
     gauss, mean = float(gaussian_curvature(found)[0]), float(mean_curvature(found)[0])
-    return f"u {hit.u:.4f}  v {hit.v:.4f}   K {written(gauss)}  H {written(mean)}"
-
-
-def surface_reach(surface: PlusSurface) -> float:
-    """How far the gradients can carry a surface from its control points, at most."""
-    return float(np.abs(surface.gradients).max())
+    return f"u {place[0]:.4f}  v {place[1]:.4f}   K {written(gauss)}  H {written(mean)}"
 
 
 def written(value: float) -> str:

@@ -21,6 +21,7 @@ from plusedit.interaction.tool import Pointer
 from plusedit.scene.space_camera import SpaceCamera
 from plusedit.scene.space_framing import framed_in_space
 from plusedit.scene.space_scene import SpaceLayers, space_items
+from plusedit.scene.stripes import stripes_of
 from plusedit.views.editing import MARGIN, Editing
 from plusedit.views.gl.artist import Look, SpaceArtist
 from plusedit.views.gl.context import current_functions
@@ -100,6 +101,7 @@ class SpaceCanvas(Editing[SpaceCamera], SpaceView):
             axes=True,
             hovered=self._hovered,
             shading=self._options.shading,
+            stripes=stripes_of(self._options),
         )
         ratio = self.devicePixelRatioF()
 
@@ -140,7 +142,8 @@ class SpaceCanvas(Editing[SpaceCamera], SpaceView):
         self._overlay.sheet = Sheet(
             self.camera,
             self._theme,
-            self._layers.labels,
+            self._layers,
+            self._spotted(),
             self._feedback,
             self._pointer,
             self._problem,

@@ -4,7 +4,6 @@ A sheet of its own, for two reasons: it is drawn smoothly whatever OpenGL can do
 below need not be drawn again when only the pointer moves.
 """
 
-from collections.abc import Iterable
 from dataclasses import dataclass
 
 from PySide6.QtCore import QPointF, Qt
@@ -12,8 +11,9 @@ from PySide6.QtGui import QPaintEvent
 from PySide6.QtWidgets import QWidget
 
 from plusedit.interaction.tool import Feedback, Pointer
-from plusedit.scene.items import Item
+from plusedit.scene.items import Caption, Item
 from plusedit.scene.space_camera import SpaceCamera
+from plusedit.scene.space_scene import SpaceLayers
 from plusedit.scene.theme import Theme
 from plusedit.views.notices import paint_empty, paint_note, paint_readout
 from plusedit.views.painter import ItemPainter, painting
@@ -25,7 +25,10 @@ class Sheet:
 
     camera: SpaceCamera
     theme: Theme
-    labels: Iterable[Item]
+    layers: SpaceLayers
+    """of which the words are drawn here"""
+    spotted: tuple[Item, ...]
+    """what overlays show at the point under the pointer"""
     feedback: Feedback
     pointer: Pointer | None
     note: str
@@ -51,7 +54,9 @@ class SpaceOverlay(QWidget):
             return
         with painting(self) as painter:
             items = ItemPainter(painter, sheet.camera, sheet.theme)
-            items.paint(sheet.labels)
+            captions = [item for item in sheet.spotted if isinstance(item, Caption)]
+            items.paint(item for item in sheet.spotted if not isinstance(item, Caption))
+            items.paint(sheet.layers.words(captions))
             items.paint(sheet.feedback.items)
             if sheet.is_empty:
                 paint_empty(painter, view, sheet.theme)

@@ -10,6 +10,7 @@ from PySide6.QtGui import QImage
 from plusedit.document.design import Design
 from plusedit.scene.composition import SIZE
 from plusedit.scene.space_composition import SpaceComposition, composed_in_space
+from plusedit.scene.stripes import stripes_of
 from plusedit.scene.theme import LIGHT, Theme
 from plusedit.views.gl.artist import Look, SpaceArtist
 from plusedit.views.gl.context import context_for_pictures
@@ -42,7 +43,10 @@ def space_image_of(
     """
     picture = composed_in_space(design, (float(size[0]), float(size[1])), view)
     look = Look(
-        ground=picture.options.ground, shading=picture.options.shading, transparent=transparent
+        ground=picture.options.ground,
+        shading=picture.options.shading,
+        stripes=stripes_of(picture.options),
+        transparent=transparent,
     )
     with context_for_pictures() as gl:
         pixels = _drawn(gl, picture, theme, look, ratio)
@@ -54,9 +58,9 @@ def space_image_of(
             f"a picture of {width} by {height} pixels takes more memory than there is"
         )
     image.setDevicePixelRatio(ratio)
-    if picture.layers.labels:
+    if words := tuple(picture.layers.words()):
         with painting(image) as painter:
-            ItemPainter(painter, picture.camera, theme).paint(picture.layers.labels)
+            ItemPainter(painter, picture.camera, theme).paint(words)
     return image
 
 

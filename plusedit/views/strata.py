@@ -6,6 +6,7 @@ shape costs, however many others there are.
 
 from collections.abc import Collection
 from dataclasses import dataclass, replace
+from itertools import chain
 from time import perf_counter
 
 import numpy as np
@@ -17,9 +18,10 @@ from plusedit.document.selection import Selection
 from plusedit.document.shape import ShapeId
 from plusedit.scene.camera import PlaneCamera
 from plusedit.scene.drawn_mesh import drawing_of
+from plusedit.scene.items import Caption, Legend
 from plusedit.scene.mesh_drawing import MeshDrawing
 from plusedit.scene.options import ViewOptions
-from plusedit.scene.scene import scene_items
+from plusedit.scene.scene import Layers, design_items, scene_items
 from plusedit.scene.theme import Theme
 from plusedit.views.ground import RULER, paint_grid, paint_rulers
 from plusedit.views.painter import ItemPainter, color_of, painting
@@ -55,6 +57,9 @@ class Strata:
         self._pixmap = QPixmap()
         self._drawings: dict[ShapeId, MeshDrawing] = {}
         """the surfaces of meshes that the pixmap shows"""
+        self._legends: tuple[Legend, ...] = ()
+        self._captions: tuple[Caption, ...] = ()
+        """those of what the pixmap shows"""
         self._seconds = 0.0
 
     @property
@@ -76,20 +81,31 @@ class Strata:
         if self._look is not None and self._drawings != _drawings(design, self._drawings):
             self.forget()
 
-    def paint(self, painter: QPainter, design: Design, look: Look, *, previewed: bool) -> None:
+    def paint(
+        self, painter: QPainter, design: Design, look: Look, *, previewed: bool
+    ) -> list[Legend | Caption]:
         """Draw the ground, all shapes and the rulers; what follows stays beside the rulers.
 
-        `previewed` tells of an edit that is still going on.
+        `previewed` tells of an edit that is still going on. What is left to be written into the
+        corners, in front of all else, comes back.
         """
+        words: list[Legend | Caption] = [*self._legends, *self._captions]
         if look.draft and self._paint_shifted(painter, design, look):
-            return
+            return words
         self._settle(design, look, previewed)
         painter.drawPixmap(0, 0, self._pixmap)
         painter.setClipRect(beside_rulers(look))
+        words = [*self._legends, *self._captions]
         if self._moving:
-            # Without a glow what is dragged is seen better, and drawn in half the time.
-            _paint_shapes(painter, design, look, self._moving, glow=not previewed)
+            for layers in (
+                design_items(design, look.camera, look.options, look.selection),
+                # Without a glow what is dragged is seen better, and drawn in half the time.
+                _layers(design, look, self._moving, glow=not previewed),
+            ):
+                _paint(painter, layers, look)
+                words += [*layers.legends, *layers.captions]
         self._last = design
+        return words
 
     def _paint_shifted(self, painter: QPainter, design: Design, look: Look) -> bool:
         """Draw the last picture where a view on its way has it now; False if it shows others.
@@ -140,7 +156,15 @@ class Strata:
         with painting(self._pixmap) as painter:
             if look.options.grid:
                 paint_grid(painter, look.camera, look.theme)
-            _paint_shapes(painter, design, look, still)
+            layers = [_layers(design, look, still)]
+            if not self._moving:
+                # Else they are drawn with what moves: they may tell of it, too.
+                whole = design_items(design, look.camera, look.options, look.selection)
+                layers.insert(0, whole)
+            for each in layers:
+                _paint(painter, each, look)
+            self._legends = tuple(legend for each in layers for legend in each.legends)
+            self._captions = tuple(caption for each in layers for caption in each.captions)
             if look.options.rulers:
                 paint_rulers(painter, look.camera, look.theme)
 
@@ -179,15 +203,10 @@ def _new_pixmap(look: Look) -> QPixmap:
     return pixmap
 
 
-def _paint_shapes(
-    painter: QPainter,
-    design: Design,
-    look: Look,
-    shapes: Collection[ShapeId],
-    *,
-    glow: bool = True,
-) -> None:
-    items = scene_items(
+def _layers(
+    design: Design, look: Look, shapes: Collection[ShapeId], *, glow: bool = True
+) -> Layers:
+    return scene_items(
         design,
         look.camera,
         look.options,
@@ -196,4 +215,9 @@ def _paint_shapes(
         glow=glow,
         wait=False,
     )
-    ItemPainter(painter, look.camera, look.theme, look.draft).paint(items)
+
+
+def _paint(painter: QPainter, layers: Layers, look: Look) -> None:
+    """Draw all but legends and captions."""
+    marks = chain(layers.overlays, layers.shapes, layers.handles)
+    ItemPainter(painter, look.camera, look.theme, look.draft).paint(marks)

@@ -330,11 +330,12 @@ def test_a_drag_draws_no_other_shape_again(canvas, session, monkeypatch):
     drag(canvas, start, start + QPoint(20, 20), release=False)
     canvas.grab()
     drawn = []
+    from plusedit.scene.scene import Layers
     from plusedit.views import strata
 
     def noting(design, camera, options, selection, *, only, glow, wait):
         drawn.extend(only)
-        return ()
+        return Layers((), (), ())
 
     monkeypatch.setattr(strata, "scene_items", noting)
     move(canvas, start + QPoint(25, 25), LEFT)

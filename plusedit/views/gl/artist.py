@@ -11,9 +11,19 @@ from dataclasses import dataclass
 from itertools import chain
 from typing import TypeAlias
 
-from plusedit.scene.items import Item, Label, Markers, Mesh, Patch, Polygon, Polyline, Segments
+from plusedit.scene.items import (
+    Item,
+    Markers,
+    Mesh,
+    Patch,
+    Polygon,
+    Polyline,
+    Segments,
+    Words,
+)
 from plusedit.scene.space_camera import SpaceCamera
 from plusedit.scene.space_scene import SpaceLayers
+from plusedit.scene.stripes import Stripes
 from plusedit.scene.theme import Theme
 from plusedit.views.gl import functions as gl_names
 from plusedit.views.gl.batches import Fills, Lines, Marks
@@ -45,8 +55,15 @@ class Look:
     """the view whose end of the axes is under the pointer"""
     shading: str = "studio"
     """or "matcap" """
+    stripes: Stripes | None = None
     transparent: bool = False
     """nothing where nothing is drawn, instead of the canvas"""
+
+    @property
+    def styles(self) -> tuple[str, ...]:
+        """Names that are defined in shaders of light."""
+        clay = ("MATCAP",) if self.shading == "matcap" else ()
+        return clay if self.stripes is None else (*clay, "STRIPES", self.stripes.kind.upper())
 
 
 class SpaceArtist:
@@ -88,8 +105,8 @@ class SpaceArtist:
         solids, flats = _parted(chain(layers.solids, layers.glass, layers.lines))
         ground = ground_of(camera) if look.ground else None
         self._show(solids, flats, layers.handles, ground, camera, palette)
-        styles = ("MATCAP",) if look.shading == "matcap" else ()
-        sight = Sight.of(camera, self._boxes(solids), palette, styles, ratio, crop)
+        boxes = self._boxes(solids)
+        sight = Sight.of(camera, boxes, palette, look.styles, ratio, crop, look.stripes)
         with self._state(palette, look):
             # First of all: its lines would cross whatever reaches below the ground.
             if ground is not None:
@@ -275,7 +292,7 @@ def _parted(items: Iterable[Item]) -> tuple[list[Solid], list[Flat]]:
     for item in items:
         if isinstance(item, Patch | Mesh):
             solids.append(item)
-        elif not isinstance(item, Label):
+        elif not isinstance(item, Words):
             flats.append(item)
     return solids, flats
 

@@ -6,7 +6,18 @@ from typing import Final
 import numpy as np
 
 from plusedit.geometry.arrays import Floats
-from plusedit.scene.items import Item, Label, Markers, Mesh, Patch, Polygon, Polyline, Segments
+from plusedit.scene.items import (
+    Caption,
+    Item,
+    Label,
+    Legend,
+    Markers,
+    Mesh,
+    Patch,
+    Polygon,
+    Polyline,
+    Segments,
+)
 from plusedit.scene.space_camera import SpaceCamera
 from plusedit.views.gl.buffers import Attribute, Buffer, VertexArray
 from plusedit.views.gl.colors import Palette
@@ -218,7 +229,7 @@ def _places(item: Item) -> tuple[Floats, ...]:
     match item:
         case Segments(starts, ends):
             return starts, ends
-        case Label() | Patch() | Mesh():
+        case Label() | Legend() | Caption() | Patch() | Mesh():
             return ()
         case _:
             return (item.points,)

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import TypeAlias
 
-from plusedit.scene.items import Item, Label, Mesh, Patch, Polygon, Polyline, Segments
+from plusedit.scene.items import Item, Mesh, Patch, Polygon, Polyline, Segments, Words
 from plusedit.scene.space_camera import SpaceCamera
 from plusedit.views.gl.batches import Batch, Fills, Lines, Marks
 from plusedit.views.gl.colors import Palette
@@ -72,7 +72,7 @@ def runs_of(items: Iterable[Item]) -> Iterator[Kinds]:
     """Groups of items whose order allows areas, lines and marks to be drawn at once each."""
     run: list[Item] = []
     for item in items:
-        if isinstance(item, Patch | Mesh | Label):
+        if isinstance(item, Patch | Mesh | Words):
             continue
         if run and _rank(item) < _rank(run[-1]):
             yield by_kind(run)
