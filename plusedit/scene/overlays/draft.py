@@ -6,7 +6,6 @@ pull is upwards, along z, unless it is set to lean.
 """
 
 from collections.abc import Mapping
-from math import cos, radians, sin
 
 import numpy as np
 
@@ -14,6 +13,7 @@ from plusedit.geometry.arrays import Floats
 from plusedit.geometry.mesh.mesh_surface import MeshSurface
 from plusedit.geometry.surface import PlusSurface
 from plusedit.geometry.surface_frames import normals
+from plusedit.scene.bearings import vector_at
 from plusedit.scene.mesh_drawing import MeshDrawing
 from plusedit.scene.overlays import Coloring, Setting, overlay
 
@@ -45,8 +45,7 @@ def of_mesh(surface: MeshSurface, drawing: MeshDrawing, numbers: Mapping[str, fl
 
 
 def _angles(across: Floats, numbers: Mapping[str, float]) -> Floats:
-    height, bearing = radians(numbers["height"]), radians(numbers["bearing"])
-    pull = np.array([cos(height) * cos(bearing), cos(height) * sin(bearing), sin(height)])
+    pull = np.array(vector_at(numbers["height"], numbers["bearing"]))
     sines = np.where(across.any(axis=-1), across @ pull, np.nan)
     angles: Floats = np.degrees(np.arcsin(np.clip(sines, -1.0, 1.0)))
     return angles

@@ -8,6 +8,7 @@ import numpy as np
 
 from plusedit.geometry.arrays import Floats
 from plusedit.scene.space_camera import SpaceCamera
+from plusedit.scene.stripes import Stripes
 from plusedit.views.gl.colors import Palette, Shade
 from plusedit.views.gl.programs import Program
 
@@ -35,6 +36,7 @@ class Sight:
     ratio: float = 1.0
     """pixels of the device to a logical one"""
     crop: Crop = WHOLE
+    stripes: Stripes | None = None
 
     @classmethod
     def of(
@@ -45,6 +47,7 @@ class Sight:
         styles: tuple[str, ...] = (),
         ratio: float = 1.0,
         crop: Crop = WHOLE,
+        stripes: Stripes | None = None,
     ) -> "Sight":
         """The sight of everything inside of boxes."""
         corners = [np.where(_CORNERS, high, low) for low, high in boxes]
@@ -54,7 +57,7 @@ class Sight:
             near, far = float(depths.min()), float(depths.max())
         room = BESIDE * camera.pixel + 0.01 * (far - near)
         matrix = camera.matrix(near - room, far + room)
-        return cls(camera, matrix, palette, styles, ratio, crop)
+        return cls(camera, matrix, palette, styles, ratio, crop, stripes)
 
     @property
     def size(self) -> tuple[float, float]:
@@ -102,6 +105,9 @@ class Sight:
         program.set_matrix("axes", axes)
         program.set("up", *axes[:, 2].tolist())
         program.set("parallel", 0.0 if self.camera.perspective else 1.0)
+        if self.stripes is not None:
+            program.set("stripes", self.stripes.count)
+            program.set("light", *(axes @ np.array(self.stripes.light)).tolist())
 
 
 _CORNERS = np.indices((2, 2, 2)).reshape(3, 8).T.astype(np.bool_)

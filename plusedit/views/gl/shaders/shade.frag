@@ -49,6 +49,50 @@ vec3 lit(vec3 albedo, vec3 n, vec3 v) {
 }
 #endif
 
+#ifdef STRIPES
+uniform float stripes; // pairs of bands over half a turn
+uniform vec3 light;    // toward it, in the axes of the view
+#ifdef REFLECTION
+uniform mat3 axes;
+#endif
+
+const float TURN = 3.14159265;
+const float DARK = 0.10, BRIGHT = 0.90;
+
+// How far along its pair of bands a place is, and how much of one a pixel takes.
+vec2 band_of(vec3 n, vec3 v) {
+#ifdef REFLECTION
+    // The angle around the x axis of the world; by its gradient, as the angle itself jumps.
+    vec2 r = (transpose(axes) * reflect(-v, n)).yz;
+    float square = max(dot(r, r), 1e-6);
+    vec2 dx = dFdx(r), dy = dFdy(r);
+    float each = (abs(r.x * dx.y - r.y * dx.x) + abs(r.x * dy.y - r.y * dy.x)) / square;
+    return vec2(atan(r.y, r.x), each) * stripes / TURN;
+#else
+#ifdef ZEBRA
+    float height = reflect(-v, n).y;
+#else
+    float height = dot(n, light);
+#endif
+    float each = fwidth(height) * inversesqrt(max(1.0 - height * height, 1e-4));
+    return vec2(acos(clamp(height, -1.0, 1.0)), each) * stripes / TURN;
+#endif
+}
+
+// The share of light in a pixel: where bands crowd, the mean of all.
+float striped(vec3 n, vec3 v) {
+#ifdef REFLECTION
+    const float half_dark = 0.42;
+#else
+    const float half_dark = 0.25;
+#endif
+    vec2 band = band_of(n, v);
+    float off = abs(fract(band.x) - 0.5); // from the middle of a dark one
+    float share = clamp(0.5 + (off - half_dark) / max(band.y, 1e-6), 0.0, 1.0);
+    return mix(share, 1.0 - 2.0 * half_dark, smoothstep(0.4, 1.0, band.y));
+}
+#endif
+
 void main() {
     vec3 v = parallel > 0.5 ? vec3(0.0, 0.0, 1.0) : -normalize(sight);
     // Where there is no normal, as at the tip of a cone, that of the facet stands in.
@@ -67,6 +111,11 @@ void main() {
 #ifdef TINTED
     // Colors that are to be compared with a legend are not left in the shade.
     shown = mix(shown, tint, 0.45);
+#endif
+#if defined(STRIPES) && !defined(GLASS)
+    // Form is still seen: what is light or dark is so with the light that falls on it.
+    float glow = 0.75 + 0.25 * sqrt(lit(vec3(1.0), n, v).g);
+    shown = mix(shown * 0.18 + DARK, vec3(BRIGHT) * glow, striped(n, v));
 #endif
     float alpha = side.a;
 #ifdef GLASS
