@@ -128,5 +128,5 @@ def _of_mesh(surface: MeshSurface) -> Iterator[Floats | Numbers]:
     if surface.factors is not None:
         yield surface.factors
     if surface.edited:
-        # An edited surface keeps control planes of its own.
-        yield from (surface.planes.points, surface.planes.gradients_u, surface.planes.gradients_v)
+        # An edited surface keeps control planes of its own, but for what the edit before had.
+        yield from (surface.net.control_points, surface.net.vectors)

@@ -37,7 +37,8 @@ class Selection:
     """the line that was selected last, one of `lines`; numbers typed in speak of it"""
 
     def __post_init__(self) -> None:
-        shapes = self.shapes | {line.shape for line in self.lines}
+        # Taken apart and not asked for by name, which for many thousands of faces takes its time.
+        shapes = self.shapes | {shape_id for shape_id, _ in self.lines}
         object.__setattr__(self, "shapes", frozenset(shapes))
         if self.active not in self.lines:
             object.__setattr__(self, "active", None)
@@ -81,8 +82,8 @@ class Selection:
     @cached_property
     def _by_shape(self) -> Mapping[ShapeId, tuple[int, ...]]:
         found: dict[ShapeId, list[int]] = defaultdict(list)
-        for line in self.lines:
-            found[line.shape].append(line.number)
+        for shape_id, number in self.lines:
+            found[shape_id].append(number)
         return MappingProxyType(
             {shape_id: tuple(sorted(indices)) for shape_id, indices in sorted(found.items())}
         )

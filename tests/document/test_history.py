@@ -2,12 +2,14 @@
 
 import numpy as np
 
+from plusedit.commands.lines import MovePoints
 from plusedit.document.design import Design
 from plusedit.document.history import BUDGET, History
 from plusedit.document.shape import Shape
 from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.lines import ControlLines
 from tests.designs import BOW, WING, a_curve, a_design
+from tests.scene.meshes import HILL, a_hill, a_landscape
 
 LARGE = 1000  # control lines: 33 kB of arrays
 
@@ -141,3 +143,12 @@ def test_what_was_never_saved_is_unsaved():
     history = History(Design())
     history.mark_unsaved()
     assert not history.is_saved
+
+
+def test_an_edited_face_takes_the_points_of_all_and_shares_their_gradients():
+    history = History(a_landscape(a_hill(40)))
+    for step in range(3):
+        history.push("Move", MovePoints({HILL: (step,)}, np.ones(3)).apply(history.design))
+    first, second, third = (step.size for step in history._steps[1:])
+    assert first > second == third
+    assert 40 * 40 * 3 * 8 <= second < 2 * 40 * 40 * 3 * 8
