@@ -6,24 +6,20 @@ blended: what was found and done on the way is in the report.
 
 import hashlib
 import os
-from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from types import MappingProxyType
 
-import numpy as np
-
 from plusedit.document.design import Design
 from plusedit.document.map_record import MapRecord, with_map
 from plusedit.document.shape import NOTHING, Shape, ShapeId, Tree
-from plusedit.geometry.arrays import Floats
 from plusedit.geometry.mesh.deviation import deviation
-from plusedit.geometry.mesh.mapping import Mapped, mapped
+from plusedit.geometry.mesh.mapping import Mapped
 from plusedit.geometry.mesh.maps import Progress, maps, share_of, silent
 from plusedit.geometry.mesh.mesh_surface import USUAL_SMOOTHNESS, MeshSurface
-from plusedit.geometry.mesh.polygons import PolygonMesh
-from plusedit.geometry.mesh.refine import FEWEST, needs_refining, refined
+from plusedit.geometry.mesh.refine import FEWEST
 from plusedit.geometry.mesh.repair import Part, Repaired, repaired
+from plusedit.geometry.mesh.splitting import Wishes, split_and_mapped
 from plusedit.io.fields import within
 from plusedit.io.files import shown_name
 from plusedit.io.formats import FormatError
@@ -36,7 +32,6 @@ MEASURED = 0.5  # of the time of one part, if its deviation is measured after
 MAPPED = 0.85  # of the time of one part before that
 CHUNK = 1 << 20  # bytes
 MOST = 256  # parts: crumbs beyond would take long and help nobody
-TIMES = 2  # that faces are split if some reach around half of the domain
 NOT_SUITED = "does not suit"  # the words of `mapped`
 
 
@@ -218,21 +213,20 @@ def _part(piece: _Piece, options: ImportOptions, tell: Progress) -> ImportedPart
     read, part = piece.read, piece.part
     uv = None if read.uv is None else read.uv[part.corners]
     tell(0.0, "looking at the faces")
-    mesh, uv, notes = _evened(part.mesh, uv, piece.area, options)
     told = share_of(tell, 0.0, MEASURED if options.measure else 1.0)
-    mapping = share_of(told, 0.0, MAPPED)
-    found, more = _mapped(mesh, uv, read.is_height_field, options, mapping)
-    if options.refine and _reaches_around(mesh, found):
-        split = mesh.subdivided(TIMES)
-        notes += (f"the faces were split into {split.mesh.face_count}: some were half of the map",)
-        mesh, uv = split.mesh, None if uv is None else split.along(uv)
-        found, more = _mapped(mesh, uv, read.is_height_field, options, mapping)
+    # Each part has its share of the faces, so that crumbs of a mesh don't get as many as it has.
+    share = float(part.mesh.areas.sum()) / piece.area if piece.area > 0.0 else 1.0
+    wishes = Wishes(
+        uv, read.is_height_field, options.map_name, options.refine, round(share * FEWEST)
+    )
+    split = split_and_mapped(part.mesh, wishes, share_of(told, 0.0, MAPPED))
+    mesh, found = split.mesh, split.mapped
     told(MAPPED, "laying planes through the faces")
     surface = MeshSurface(
         mesh, found.domain, found.parameters, options.smoothness, options.s, options.area_weights
     )
     _ = surface.foundation.planes  # so that nobody who draws the surface has to wait for them
-    report = _report(piece, found, (*notes, *more, *found.notes))
+    report = _report(piece, found, split.notes)
     if options.measure:
         tell(MEASURED, "measuring how far the surface is from the mesh")
         report = replace(report, deviation=deviation(surface))
@@ -254,44 +248,3 @@ def _report(piece: _Piece, found: Mapped, notes: tuple[str, ...]) -> PartReport:
         found.flips,
         notes,
     )
-
-
-def _reaches_around(mesh: PolygonMesh, found: Mapped) -> bool:
-    """Whether some face reaches half around the domain, or farther."""
-    high = np.maximum.reduceat(found.parameters, mesh.starts[:-1])
-    low = np.minimum.reduceat(found.parameters, mesh.starts[:-1])
-    return bool((high - low >= 0.5 * np.array(found.domain.periods)).any())
-
-
-def _evened(
-    mesh: PolygonMesh, uv: Floats | None, area: float, options: ImportOptions
-) -> tuple[PolygonMesh, Floats | None, tuple[str, ...]]:
-    """The mesh with large and thin faces split, if that is wished, and what to tell."""
-    uneven = needs_refining(mesh)
-    if not uneven:
-        return mesh, uv, ()
-    if not options.refine:
-        return mesh, uv, (f"{uneven.why} would better be split",)
-    # Each part has its share of the faces, so that crumbs of a mesh don't get as many as it has.
-    share = float(mesh.areas.sum()) / area if area > 0.0 else 1.0
-    split = refined(mesh, wanted=max(mesh.face_count, round(share * FEWEST)))
-    return split.mesh, None if uv is None else split.along(uv), split.notes
-
-
-def _mapped(
-    mesh: PolygonMesh,
-    uv: Floats | None,
-    is_height_field: bool,
-    options: ImportOptions,
-    tell: Callable[[float, str], None],
-) -> tuple[Mapped, tuple[str, ...]]:
-    """By the map that was wished for if it suits, else by another one, and what to tell."""
-    wish = options.map_name
-    if wish is not None:
-        try:
-            found = mapped(mesh, uv=uv, is_height_field=is_height_field, wish=wish, progress=tell)
-        except ValueError as error:
-            instead = mapped(mesh, uv=uv, is_height_field=is_height_field, progress=tell)
-            return instead, (str(error),)
-        return found, ()
-    return mapped(mesh, uv=uv, is_height_field=is_height_field, progress=tell), ()

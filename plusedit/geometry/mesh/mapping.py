@@ -1,6 +1,6 @@
 """A connected part of a mesh gets parameters: which map it gets, and what came of it."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -10,11 +10,15 @@ from plusedit.geometry.mesh.domains import Domain
 from plusedit.geometry.mesh.flattening.choice import Choice, choice
 from plusedit.geometry.mesh.flattening.distortion import flips
 from plusedit.geometry.mesh.flattening.unwrapping import by_corner
-from plusedit.geometry.mesh.maps import Layout, Progress, Subject, maps, silent
+from plusedit.geometry.mesh.maps import Progress, Subject, maps, silent
 from plusedit.geometry.mesh.polygons import PolygonMesh, fixed
+from plusedit.geometry.mesh.refine import Refined
 from plusedit.geometry.mesh.topology import Topology
 
 OF_FILE = "file_uv"  # the map that takes texture coordinates, which a shape does not keep
+
+
+SMALLEST = 1e-50  # of parameters: limbs of a part that come to less than that are lost
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,6 +38,8 @@ class Mapped:
     """what else to tell, a sentence each"""
     cone_points: tuple[int, ...] = ()
     """the four vertices at the corners of a pillow"""
+    remarks: tuple[str, ...] = ()
+    """those of the notes that hold however the faces are split"""
 
     @property
     def title(self) -> str:
@@ -108,8 +114,10 @@ def mapped(
     layout = maps[chosen.name].layout(subject)
     tell(0.95, "looking at the result")
     parameters = by_corner(mesh, subject.sheet, layout.places)
+    # Gradients by less would be beyond all numbers.
+    parameters[np.abs(parameters) < SMALLEST] = 0.0
     turned = flips(mesh, parameters)
-    notes = (*layout.notes, *_findings(mesh, layout, parameters, turned))
+    notes = (*layout.notes, *_findings(mesh, layout.domain, parameters, turned))
     tell(1.0, "done")
     return Mapped(
         layout.domain,
@@ -119,6 +127,17 @@ def mapped(
         turned,
         notes,
         layout.cone_points,
+        layout.notes,
+    )
+
+
+def carried(found: Mapped, split: Refined) -> Mapped:
+    """The parameters of a part, linear on each face, for the faces that it was split into."""
+    parameters = split.along(found.parameters)
+    turned = flips(split.mesh, parameters)
+    findings = _findings(split.mesh, found.domain, parameters, turned)
+    return replace(
+        found, parameters=fixed(parameters), flips=turned, notes=(*found.remarks, *findings)
     )
 
 
@@ -150,7 +169,7 @@ def _wished(subject: Subject, wish: str) -> Choice:
 
 
 def _findings(
-    mesh: PolygonMesh, layout: Layout, parameters: Floats, turned: int
+    mesh: PolygonMesh, domain: Domain, parameters: Floats, turned: int
 ) -> tuple[str, ...]:
     """Sentences about faces that the map does not treat well."""
     found = []
@@ -164,13 +183,13 @@ def _findings(
         ],
         axis=1,
     )
-    wide = int((spans >= 0.5 * np.array(layout.domain.periods)).any(axis=1).sum())
+    wide = int((spans >= 0.5 * np.array(domain.periods)).any(axis=1).sum())
     if wide:
+        reach = "half around the domain or farther"
         found.append(
-            f"{wide} face{' reaches' if wide == 1 else 's reach'} half around the domain or"
-            " farther: it should be split"
+            f"1 face reaches {reach}: it should be split"
             if wide == 1
-            else f"{wide} faces reach half around the domain or farther: they should be split"
+            else f"{wide} faces reach {reach}: they should be split"
         )
     collapsed = int(np.count_nonzero(spans.max(axis=1) == 0.0))
     if collapsed:

@@ -41,8 +41,10 @@ def square_to_triangle(t: Floats, px: float, py: float, pz: float) -> float:
         share_b, share_c = cc * along_b - bc * along_c, bb * along_c - bc * along_b
         if share_b > 0.0 and share_c > 0.0 and share_b + share_c < area:
             nx, ny, nz = by * cz - bz * cy, bz * cx - bx * cz, bx * cy - by * cx
-            height = x * nx + y * ny + z * nz
-            return height * height / (nx * nx + ny * ny + nz * nz)  # type: ignore[no-any-return]
+            height, across = x * nx + y * ny + z * nz, nx * nx + ny * ny + nz * nz
+            # The area may be nothing but rounding.
+            if across > 0.0:
+                return height * height / across  # type: ignore[no-any-return]
     dx, dy, dz = cx - bx, cy - by, cz - bz
     least = min(square_to_side(x, y, z, bx, by, bz, bb), square_to_side(x, y, z, cx, cy, cz, cc))
     third = square_to_side(x - bx, y - by, z - bz, dx, dy, dz, dx * dx + dy * dy + dz * dz)

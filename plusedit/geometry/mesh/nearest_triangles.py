@@ -163,7 +163,8 @@ class _Triangles:
         across = np.cross(b, c)
         length = np.linalg.norm(across, axis=1)
         height = np.abs(np.einsum("md,md->m", away, across)) / np.where(length > 0.0, length, 1.0)
-        closest: Floats = np.where(inside, np.minimum(height, found), found)
+        # Where the sides are parallel there is no inside but by rounding.
+        closest: Floats = np.where(inside & (length > 0.0), np.minimum(height, found), found)
         return closest
 
 
