@@ -1,18 +1,22 @@
 """How smoothly a curve goes on at its knots and its seam, and two curves where they meet."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from math import atan2, inf
+from functools import lru_cache
+from math import inf
 
 import numpy as np
 
 from plusedit.geometry.arrays import Floats, unit
-from plusedit.geometry.bases import is_local
+from plusedit.geometry.bases import Basis, is_local
+from plusedit.geometry.blend import Grid
 from plusedit.geometry.curvature_profile import curvature_vectors
 from plusedit.geometry.curve import PlusCurve
 
 SAME = 1e-9  # of the size: points nearer than that are one
 STRAIGHT = 1e-7  # radians: less is no corner
 EVEN = 1e-6  # of the larger curvature: less is no jump
+SENSES = (1.0, -1.0, 1.0)  # of points and derivatives, where a curve is run backwards
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,63 +56,63 @@ class Joint:
 
 def joints(curve: PlusCurve) -> tuple[Joint, ...]:
     """The joints at the knots of a curve, at the seam too where its ends meet."""
-    basis = curve.basis
-    inner = basis.breaks[1:-1].tolist() if is_local(basis) else []
-    found = [_joint(curve, u, curve, u) for u in inner]
-    if curve.closed:
-        found.append(_joint(curve, 1.0, curve, 0.0))
-    else:
-        seam = _joint(curve, 1.0, curve, 0.0)
-        if seam.order >= 0:
-            found.append(seam)
-    return tuple(found)
+    grid, count = _knots(curve.basis)
+    jets = curve.jets(grid)
+    before, after = ([rows[half] for rows in jets] for half in (slice(count), slice(count, None)))
+    size = _size(curve)
+    found = _joints(grid.parameters[count:], before, after, size)
+    # The seam comes last; on an open curve it is one only where the ends meet.
+    return found if curve.closed or found[-1].order >= 0 else found[:-1]
+
+
+@lru_cache(maxsize=32)
+def _knots(basis: Basis) -> tuple[Grid, int]:
+    """All knots inside and the seam: just before each, then at each; and how many there are."""
+    inner = basis.breaks[1:-1] if is_local(basis) else np.zeros(0)
+    before = np.nextafter(np.append(inner, 1.0), -inf)
+    return Grid(np.concatenate([before, inner, [0.0]])), len(before)
 
 
 def meeting(first: PlusCurve, second: PlusCurve) -> tuple[Joint, ...]:
     """The joints where an end of one open curve lies on an end of another."""
     if first.closed or second.closed or first.dimension != second.dimension:
         return ()
-    found = []
+    size = max(_size(first), _size(second))
+    found: list[Joint] = []
     for end in (0.0, 1.0):
+        leaving = first.derivatives([np.nextafter(end, -inf) if end else end])
         for start in (0.0, 1.0):
-            joint = _joint(first, end, second, start)
-            if joint.order >= 0:
-                found.append(joint)
-    return tuple(found)
+            going = second.derivatives([np.nextafter(start, -inf) if start else start])
+            # At the start of a curve one leaves it against its sense, at its end goes on against.
+            out = [rows if end else rows * sign for rows, sign in zip(leaving, SENSES, strict=True)]
+            on = [rows * sign if start else rows for rows, sign in zip(going, SENSES, strict=True)]
+            found += _joints(np.array([start]), out, on, size)
+    return tuple(joint for joint in found if joint.order >= 0)
 
 
-def _joint(first: PlusCurve, end: float, second: PlusCurve, start: float) -> Joint:
-    """Where `first` is left at a parameter and `second` is gone along from another.
-
-    At the start of an open curve, one leaves it against its sense; at its end, goes along it so.
-    """
-    inner = first is second
-    leaving = _jet(first, end, before=inner or end > 0.0)
-    going = _jet(second, start, before=not inner and start > 0.0)
-    way_out = unit(leaving[1])[0] * (1.0 if inner or end > 0.0 else -1.0)
-    way_on = unit(going[1])[0] * (1.0 if inner or start == 0.0 else -1.0)
-    size = max(float(np.ptp(c.lines.points, axis=0).max()) for c in (first, second)) or 1.0
-    bends = (curvature_vectors(jet[1], jet[2])[0] for jet in (leaving, going))
-    before, after = (np.where(np.isfinite(bend), bend, 0.0) for bend in bends)
-    return Joint(
-        start,
-        leaving[0][0],
-        float(np.linalg.norm(going[0][0] - leaving[0][0])),
-        _angle(way_out, way_on),
-        before,
-        after,
-        size,
+def _joints(
+    u: Floats, before: Sequence[Floats], after: Sequence[Floats], size: float
+) -> tuple[Joint, ...]:
+    """The joints at parameters (m,), from points and derivatives (m, dim) on both sides."""
+    angles = _angles(unit(before[1]), unit(after[1]))
+    gaps = np.linalg.norm(after[0] - before[0], axis=1)
+    bends = [
+        np.nan_to_num(curvature_vectors(*jet[1:]), posinf=0.0, neginf=0.0)
+        for jet in (before, after)
+    ]
+    rows = zip(u.tolist(), before[0], gaps.tolist(), angles.tolist(), *bends, strict=True)
+    return tuple(
+        Joint(at, point, gap, angle, one, other, size) for at, point, gap, angle, one, other in rows
     )
 
 
-def _jet(curve: PlusCurve, u: float, *, before: bool) -> tuple[Floats, ...]:
-    """Point and derivatives on one side of a parameter."""
-    at = np.nextafter(u, -inf) if before and 0.0 < u <= 1.0 else u
-    return curve.derivatives([at])
-
-
-def _angle(one: Floats, other: Floats) -> float:
-    if not (one.any() and other.any()):
-        return float("nan")
+def _angles(one: Floats, other: Floats) -> Floats:
+    """(m,) angles between unit vectors (m, dim); nan where there is none."""
     # Of sum and difference, which keep all digits where the arc cosine loses half of them.
-    return 2.0 * atan2(float(np.linalg.norm(one - other)), float(np.linalg.norm(one + other)))
+    sides = np.linalg.norm(one - other, axis=1), np.linalg.norm(one + other, axis=1)
+    is_still = ~(one.any(axis=1) & other.any(axis=1))
+    return np.where(is_still, np.nan, 2.0 * np.arctan2(*sides))
+
+
+def _size(curve: PlusCurve) -> float:
+    return float(np.ptp(curve.lines.points, axis=0).max()) or 1.0

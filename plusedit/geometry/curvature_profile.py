@@ -4,27 +4,30 @@ The curvature vector k N points to the center of the osculating circle and is as
 """
 
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import pairwise
 
 import numpy as np
+from numpy.typing import NDArray
 
 from plusedit.geometry.arrays import Floats, unit
+from plusedit.geometry.bases import Basis
+from plusedit.geometry.blend import Grid
 from plusedit.geometry.curve import PlusCurve
-from plusedit.geometry.frames import curvature, space_curvature
+from plusedit.geometry.frames import curvature, curvature_at, space_curvature
 from plusedit.geometry.pieces import breaks
 
-GOLDEN = (np.sqrt(5.0) - 1.0) / 2.0
-STEPS = 36  # of closing in on an extremum: beyond, equal values no longer tell where it is
+PARTS, ROUNDS = 16, 3  # of a stretch with an extremum: how often it is cut, into how many
 SAMPLES, FEWEST = 32, 256  # to the piece and in all, among which extrema are looked for
 FLAT = 1e-9  # of the largest curvature: smaller differences are rounding
 
 
 @dataclass(frozen=True, eq=False)
-class CurvaturePiece:
-    """A stretch of a curve on which the curvature is continuous."""
+class CurvatureSamples:
+    """The curvature at parameters of a curve."""
 
     u: Floats
-    """(m,) rising; the last one just before a knot"""
+    """(m,) rising"""
     points: Floats
     """(m, dim)"""
     vectors: Floats
@@ -34,21 +37,60 @@ class CurvaturePiece:
     still"""
 
 
+@dataclass(frozen=True, eq=False)
+class CurvaturePiece(CurvatureSamples):
+    """A stretch of a curve on which the curvature is continuous; at its end just before a knot."""
+
+
+@dataclass(frozen=True, eq=False)
+class CurvatureRun(CurvatureSamples):
+    """All pieces of a curve, one after the other."""
+
+    starts: NDArray[np.intp]
+    """(p + 1,) the number of the first sample of each piece, and the number of all samples"""
+
+    def pieces(self) -> tuple[CurvaturePiece, ...]:
+        """The pieces, each by itself."""
+        parts = (self.u, self.points, self.vectors, self.curvatures)
+        return tuple(
+            CurvaturePiece(*(part[low:high] for part in parts))
+            for low, high in pairwise(self.starts.tolist())
+        )
+
+
 def curvature_profile(curve: PlusCurve, count: int) -> tuple[CurvaturePiece, ...]:
     """The pieces between the breaks of the basis, with about `count` samples in all.
 
     Every piece has 4 samples at least, its ends among them: the curvature at the end of one and
     at the start of the next tell how much it jumps.
     """
-    ends = breaks(curve.basis)
-    found = []
+    return curvature_run(curve, count).pieces()
+
+
+def curvature_run(curve: PlusCurve, count: int, *, finer: int = 1) -> CurvatureRun:
+    """The same in one row, with `finer` samples for one; by cached matrices.
+
+    Pieces have 1 + finer k samples, k at least 3 and about `count` in all.
+    """
+    grid, starts = _grid(curve.basis, count, finer)
+    points, velocity, acceleration = curve.jets(grid)
+    vectors = curvature_vectors(velocity, acceleration)
+    signed = curvature if curve.dimension == 2 else space_curvature
+    return CurvatureRun(grid.parameters, points, vectors, signed(velocity, acceleration), starts)
+
+
+@lru_cache(maxsize=32)
+def _grid(basis: Basis, count: int, finer: int) -> tuple[Grid, NDArray[np.intp]]:
+    """Samples of all pieces, and where each begins."""
+    ends = breaks(basis)
+    rows = []
     for low, high in pairwise(ends):
-        samples = max(4, round(count * (high - low)))
-        u = np.linspace(low, high, samples)
+        u = np.linspace(low, high, finer * max(3, round(count * (high - low)) - 1) + 1)
         # At a knot the curvature is that of the piece to the right: just before, of the left.
         u[-1] = np.nextafter(high, 0.0)
-        found.append(_piece(curve, u))
-    return tuple(found)
+        rows.append(u)
+    starts = np.cumsum([0, *map(len, rows)])
+    return Grid(np.concatenate(rows)), starts
 
 
 def curvature_vectors(velocity: Floats, acceleration: Floats) -> Floats:
@@ -68,69 +110,63 @@ def curvature_extrema(curve: PlusCurve) -> Floats:
     jumps, are none; stretches of equal curvature have none.
     """
     count = len(breaks(curve.basis)) - 1
-    profile = curvature_profile(curve, max(SAMPLES * count, FEWEST))
-    values = np.concatenate([piece.curvatures for piece in profile])
-    largest = float(np.nanmax(np.abs(values), initial=0.0))
-    brackets = [bracket for piece in profile for bracket in _brackets(piece, FLAT * largest)]
-    found = _peaks_at_knots(profile, largest)
-    if brackets:
-        signs, low, high = np.array(brackets).T
-        found += _peaks(curve, signs, low, high).tolist()
-    return np.array(sorted(found))
+    run = curvature_run(curve, max(SAMPLES * count, FEWEST))
+    least = FLAT * float(np.nanmax(np.abs(run.curvatures), initial=0.0))
+    signs, low, high = _brackets(run, least)
+    found = _peaks_at_knots(run, least)
+    if len(signs):
+        found = np.concatenate([found, _peaks(curve, signs, low, high)])
+    return np.sort(found)
 
 
-def _piece(curve: PlusCurve, u: Floats) -> CurvaturePiece:
-    points, velocity, acceleration = curve.derivatives(u)
-    signed = curvature if curve.dimension == 2 else space_curvature
-    return CurvaturePiece(
-        u, points, curvature_vectors(velocity, acceleration), signed(velocity, acceleration)
-    )
-
-
-def _brackets(piece: CurvaturePiece, least: float) -> list[tuple[float, float, float]]:
-    """Sign, and the parameters about it, of every sample that is higher than its neighbors."""
-    found = []
+def _brackets(run: CurvatureRun, least: float) -> tuple[Floats, Floats, Floats]:
+    """Signs, and the parameters about it, of every sample that is higher than its neighbors."""
+    is_inside = np.ones(len(run.u), dtype=np.bool_)
+    is_inside[run.starts[:-1]] = is_inside[run.starts[1:] - 1] = False
+    rows, signs = [], []
     for sign in (1.0, -1.0):
-        height = sign * piece.curvatures
+        height = sign * run.curvatures
         before, at, after = height[:-2], height[1:-1], height[2:]
         # Two samples may be equally high, with the peak between them: the first is taken.
         is_peak = (at > before) & (at >= after) & (at - np.minimum(before, after) > least)
-        rows = np.flatnonzero(is_peak)
-        found += [(sign, float(piece.u[row]), float(piece.u[row + 2])) for row in rows]
-    return found
+        rows.append(1 + np.flatnonzero(is_peak & is_inside[1:-1]))
+        signs.append(np.full(len(rows[-1]), sign))
+    row = np.concatenate(rows)
+    return np.concatenate(signs), run.u[row - 1], run.u[row + 1]
 
 
 def _peaks(curve: PlusCurve, signs: Floats, low: Floats, high: Floats) -> Floats:
-    """(k,) where signs times the curvature are largest between parameters, by golden sections."""
+    """(k,) where signs times the curvature are largest between parameters.
 
-    def height(u: Floats) -> Floats:
-        value = signs * _piece(curve, u).curvatures
-        return np.where(np.isfinite(value), value, -np.inf)
-
-    left, right = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
-    at_left, at_right = height(left), height(right)
-    for _ in range(STEPS):
-        goes_on = at_left < at_right
-        low, high = np.where(goes_on, left, low), np.where(goes_on, high, right)
-        new = np.where(goes_on, low + GOLDEN * (high - low), high - GOLDEN * (high - low))
-        value = height(new)
-        left, right = np.where(goes_on, right, new), np.where(goes_on, new, left)
-        at_left, at_right = (
-            np.where(goes_on, at_right, value),
-            np.where(goes_on, value, at_left),
-        )
-    middle: Floats = (low + high) / 2.0
+    Each stretch is sampled evenly and narrowed to what lies about the highest sample; in the end a
+    parabola through three of them says where it is.
+    """
+    for _ in range(ROUNDS):
+        u = np.linspace(low, high, PARTS + 1, axis=1)
+        height = _heights(curve, u, signs)
+        best = np.clip(np.argmax(height, axis=1), 1, PARTS - 1)
+        rows = np.arange(len(u))
+        low, high = u[rows, best - 1], u[rows, best + 1]
+    before, at, after = (height[rows, best + step] for step in (-1, 0, 1))
+    with np.errstate(invalid="ignore"):
+        bend = before - 2.0 * at + after
+        step = np.divide(0.5 * (before - after), bend, out=np.zeros(len(u)), where=bend < 0.0)
+    middle: Floats = u[rows, best] + np.clip(np.nan_to_num(step), -1.0, 1.0) * (high - low) / 2.0
     return middle
 
 
-def _peaks_at_knots(profile: tuple[CurvaturePiece, ...], largest: float) -> list[float]:
+def _heights(curve: PlusCurve, u: Floats, signs: Floats) -> Floats:
+    """(k, m) signs (k,) times the curvature at parameters (k, m); lowest where there is none."""
+    values = signs[:, None] * curvature_at(curve, u.ravel()).reshape(u.shape)
+    return np.where(np.isfinite(values), values, -np.inf)
+
+
+def _peaks_at_knots(run: CurvatureRun, least: float) -> Floats:
     """Knots at which the curvature is continuous and has a peak, with slopes that differ."""
-    found = []
-    for before, after in pairwise(profile):
-        left, right = before.curvatures, after.curvatures
-        if not abs(left[-1] - right[0]) <= FLAT * largest:
-            continue
-        slopes = left[-1] - left[-2], right[1] - right[0]
-        if slopes[0] * slopes[1] < 0.0 and min(map(abs, slopes)) > FLAT * largest:
-            found.append(float(after.u[0]))
+    first = run.starts[1:-1]
+    last, values = first - 1, run.curvatures
+    is_even = np.abs(values[last] - values[first]) <= least
+    before, after = values[last] - values[last - 1], values[first + 1] - values[first]
+    is_peak = (before * after < 0.0) & (np.minimum(np.abs(before), np.abs(after)) > least)
+    found: Floats = run.u[first[is_even & is_peak]]
     return found

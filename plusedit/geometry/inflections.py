@@ -6,18 +6,19 @@ inflection at the knot. Two roots may lie between two samples, where no sign sho
 where the determinant comes near zero are therefore sampled again more finely.
 """
 
-from collections.abc import Callable
+from functools import lru_cache
 
 import numpy as np
 
 from plusedit.geometry.arrays import Floats
+from plusedit.geometry.blend import Grid
 from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.pieces import pieces
+from plusedit.geometry.roots import roots
 
 SAMPLES = 17  # to the piece; the determinant has some ten roots there at most
 STRAIGHT = 1e-9  # radians turned in a unit of the parameter: less is rounding
 CLOSER_LOOKS = 3
-STEPS = 100
 
 
 def inflections(curve: PlusCurve) -> Floats:
@@ -28,37 +29,41 @@ def inflections(curve: PlusCurve) -> Floats:
     """
     if curve.dimension != 2:
         raise ValueError("inflections: only a plane curve has them, this one is in space")
-    u = _samples(curve)
-    fastest = float(np.abs(curve.derivatives(u, highest=1)[1]).max())
-
+    grid = _samples(pieces(curve))
+    u, jets = grid.parameters, curve.jets(grid)
+    fastest = float(np.abs(jets[1]).max())
+    value = _clear(*_turning(jets, fastest))
     for _ in range(CLOSER_LOOKS):
-        u = _looked_closer(u, _clear(*_turning(curve, u, fastest)))
-    value = _clear(*_turning(curve, u, fastest))
+        more = _looked_closer(u, value)
+        if len(more) == len(u):
+            break
+        u, value = more, _clear(*_turning(curve.derivatives(more), fastest))
     u, value = u[value != 0.0], value[value != 0.0]
     if curve.closed:
         u, value = np.append(u, u[:1] + 1.0), np.append(value, value[:1])
     change = np.flatnonzero(value[:-1] * value[1:] < 0.0)
-    at = _roots(
-        lambda u: _turning(curve, u, fastest)[0],
+    at = roots(
+        lambda u: _turning(curve.derivatives(u), fastest)[0],
         (u[change], u[change + 1]),
         (value[change], value[change + 1]),
     )
     return np.unique(at - np.floor(at) if curve.closed else at)
 
 
-def _samples(curve: PlusCurve) -> Floats:
+@lru_cache(maxsize=32)
+def _samples(parts: Grid) -> Grid:
     """Samples of all pieces; where one ends, the number before its end and the end itself."""
-    ends = pieces(curve).parameters
+    ends = parts.parameters
     inside = np.linspace(ends[:-1], ends[1:], SAMPLES, axis=1)
     # C'' is that of the piece to the right at a knot: just before it, it is that of the left.
     inside[:, -1] = np.nextafter(ends[1:], 0.0)
-    return np.unique(inside)
+    return Grid(np.unique(inside))
 
 
-def _turning(curve: PlusCurve, u: Floats, fastest: float) -> tuple[Floats, Floats]:
+def _turning(jets: tuple[Floats, ...], fastest: float) -> tuple[Floats, Floats]:
     """det(C', C'') in units in which the fastest speed is one, and what it may be by rounding."""
     scale = fastest or 1.0
-    _, velocity, acceleration = curve.derivatives(u)
+    _, velocity, acceleration = jets
     velocity, acceleration = velocity / scale, acceleration / scale
     value = velocity[:, 0] * acceleration[:, 1] - velocity[:, 1] * acceleration[:, 0]
     speed, change = np.linalg.norm(velocity, axis=1), np.linalg.norm(acceleration, axis=1)
@@ -81,28 +86,3 @@ def _looked_closer(u: Floats, value: Floats) -> Floats:
     if not len(near):
         return u
     return np.union1d(u, np.linspace(u[near - 1], u[near + 1], 2 * SAMPLES - 1))
-
-
-def _roots(
-    function: Callable[[Floats], Floats], ends: tuple[Floats, Floats], values: tuple[Floats, Floats]
-) -> Floats:
-    """(k,) roots of the function, or its jumps across zero, between ends of different sign.
-
-    The Illinois method: straight lines between the ends, one of which is taken for half as high
-    when the other comes in, so that in the end both do.
-    """
-    (low, high), (at_low, at_high) = ends, values
-    for step in range(STEPS):
-        wide = high - low > 2.0 * np.spacing(high)
-        if not wide.any():
-            break
-        # Every third step halves the bracket, which a jump would shorten from one end only.
-        secant = high - at_high * (high - low) / (at_high - at_low)
-        halves = ~wide | (step % 3 == 2)
-        root = np.where(halves, (low + high) / 2.0, np.clip(secant, low, high))
-        value = function(root)
-        found, left = value == 0.0, value * at_low > 0.0
-        at_low = np.where(left, value, at_low / 2.0)
-        at_high = np.where(left, at_high / 2.0, value)
-        low, high = np.where(left | found, root, low), np.where(left & ~found, high, root)
-    return high
