@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QScrollArea, QVBoxLayout, QWidget
 from plusedit.views.constraint_form import ConstraintForm
 from plusedit.views.desk import Desk
 from plusedit.views.face_form import FaceForm
+from plusedit.views.fit_form import FitForm
 from plusedit.views.line_form import LineForm
 from plusedit.views.live import LiveWidget, quiet, rule
 from plusedit.views.panels import panel
@@ -28,6 +29,7 @@ class Inspector(LiveWidget):
         self._shape = ShapeForm(desk)
         self._rule = rule()
         self._lines = LineForm(desk)
+        self._fit = FitForm(desk)
         self._constraints = ConstraintForm(desk)
         self._faces = FaceForm(desk)
         inside = QWidget()
@@ -42,6 +44,7 @@ class Inspector(LiveWidget):
             self._faces,
             self._rule,
             self._shape,
+            self._fit,
             self._constraints,
         ):
             column.addWidget(part)
@@ -63,6 +66,7 @@ class Inspector(LiveWidget):
         self._rule.setVisible(bool(targets))
         if shapes:
             self._shape.show_shapes(shapes)
+        self._fit.show_shapes(shapes)
         self._constraints.show_shapes(shapes)
         geometries = {i: shape.geometry for i, shape in shapes.items()}
         self._lines.show_lines(targets, geometries, self.desk.gestures.grid_step)

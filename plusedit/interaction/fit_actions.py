@@ -1,0 +1,61 @@
+"""Actions that fit curves anew, with as few control lines as a tolerance asks for."""
+
+import numpy as np
+
+from plusedit.commands.base import Command, Together
+from plusedit.commands.fitting import FitSource, Refit, fit_source
+from plusedit.document.design import EditError
+from plusedit.geometry.arrays import Floats
+from plusedit.geometry.curve import PlusCurve
+from plusedit.geometry.tessellate import tessellation
+from plusedit.interaction.actions import EditAction
+from plusedit.interaction.curve_actions import MENU, curves_of
+from plusedit.interaction.tool import Outcome, Stage
+
+COARSE = 5e-3  # of the size of a curve: the tolerance that it is fitted within at first
+FINER = 0.1  # of the tolerance: how near the points that are fitted come to the curve
+LOOSER, CLOSER = 2.0, 0.5
+MOST = 2000  # points
+
+
+def sampled(curve: PlusCurve) -> FitSource:
+    """Points of a curve to fit another one to, within a small part of its size."""
+    size = float(np.ptp(curve.lines.points, axis=0).max()) or 1.0
+    points: Floats = curve.sample(tessellation(curve, FINER * COARSE * size))
+    if len(points) > MOST:
+        points = points[np.linspace(0, len(points) - 1, MOST).round().astype(int)]
+    return FitSource(points, COARSE * size, curve.closed)
+
+
+def fitted(stage: Stage, factor: float) -> Outcome:
+    """Fit the selected curves: with so many times the tolerance where they were fitted before.
+
+    A curve that was not is fitted to what it looks like.
+    """
+    steps: list[Command] = []
+    for shape_id in curves_of(stage):
+        shape = stage.design[shape_id]
+        known = fit_source(shape)
+        if known is None:
+            source = sampled(stage.design.curve(shape_id))
+        else:
+            source = FitSource(known.points, factor * known.tolerance, known.closed, known.order)
+        if float(np.ptp(source.points, axis=0).max()) == 0.0:
+            raise EditError(f"{shape.name} is a single point: there is nothing to fit.")
+        steps.append(Refit(shape_id, source))
+    return steps[0] if len(steps) == 1 else Together(f"Fit {len(steps)} curves", tuple(steps))
+
+
+ACTIONS = (
+    EditAction("fit", "Fit with few lines", (), f"{MENU}/Fit", lambda stage: fitted(stage, 1.0)),
+    EditAction(
+        "fit_closer", "Fit more closely", (), f"{MENU}/Fit", lambda stage: fitted(stage, CLOSER)
+    ),
+    EditAction(
+        "fit_looser",
+        "Fit more loosely",
+        (),
+        f"{MENU}/Fit",
+        lambda stage: fitted(stage, LOOSER),
+    ),
+)

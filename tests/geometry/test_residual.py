@@ -1,0 +1,27 @@
+"""Distances of points from curves, against very many samples."""
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from plusedit.geometry.residual import residual
+from tests.geometry.curves import KINDS, random_curve
+
+
+@pytest.mark.parametrize("kind", [kind for kind in KINDS if kind != "staircase"])
+@pytest.mark.parametrize("dimension", [2, 3])
+def test_no_sample_is_nearer_than_the_foot(kind, dimension):
+    curve = random_curve(kind, dimension=dimension, seed=4, s=1.5)
+    points = np.random.default_rng(1).uniform(-2.0, 2.0, (40, dimension))
+    found = residual(curve, points)
+    samples = curve.at(np.linspace(0.0, 1.0, 6001))
+    nearest = np.linalg.norm(points[:, None] - samples, axis=2).min(axis=1)
+    assert (found.distances <= nearest + 1e-3).all()
+    assert_allclose(found.distances, nearest, atol=2e-2)
+
+
+def test_points_of_the_curve_are_at_no_distance():
+    curve = random_curve("bspline", s=1.0)
+    found = residual(curve, curve.at(np.linspace(0.0, 1.0, 33)))
+    assert found.largest < 1e-9
+    assert found.rms <= found.largest

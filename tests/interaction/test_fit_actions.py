@@ -1,0 +1,73 @@
+"""Curves are fitted anew from the menu."""
+
+import numpy as np
+
+from plusedit.commands.fitting import fit_source
+from plusedit.document.design import Design
+from plusedit.document.selection import Selection
+from plusedit.document.shape import Shape
+from plusedit.geometry.bases.bspline import BSpline
+from plusedit.geometry.curve import PlusCurve
+from plusedit.geometry.lines import ControlLines
+from plusedit.geometry.residual import residual
+from plusedit.interaction.actions import edit_actions
+from plusedit.scene.items import Caption, Segments
+from plusedit.scene.overlays import Seen, overlays
+from tests.interaction.hand import CAMERA, WAVE, Hand
+
+ACTIONS = {action.name: action for action in edit_actions()}
+
+
+def crowded():
+    """A gentle wave of sixty lines, of which few would do."""
+    x = np.linspace(0.0, 4.0, 60)
+    lines = ControlLines.of(np.stack([x, np.sin(x)], axis=1))
+    return PlusCurve(BSpline(60, 4), lines, 2.0)
+
+
+def hand():
+    found = Hand(Design({WAVE: Shape(crowded(), "Wave")}))
+    found.session.select(Selection.of_shapes([WAVE]))
+    return found
+
+
+def perform(found, name):
+    found.gestures.perform_by(lambda: ACTIONS[name].make(found.gestures.stage()))
+
+
+def test_a_crowded_curve_gets_few_lines_and_keeps_its_shape():
+    found = hand()
+    before = found.curve()
+    perform(found, "fit")
+    after = found.curve()
+    assert len(after.lines) < 12
+    source = fit_source(found.session.design[WAVE])
+    assert residual(after, before.at(np.linspace(0, 1, 200))).largest < 1.2 * source.tolerance
+    assert found.session.undo_label == "Fit curve"
+
+
+def test_closer_takes_more_lines_and_looser_fewer():
+    found = hand()
+    perform(found, "fit")
+    first = len(found.curve().lines)
+    for _ in range(6):
+        perform(found, "fit_closer")
+    closer = len(found.curve().lines)
+    for _ in range(12):
+        perform(found, "fit_looser")
+    assert len(found.curve().lines) <= first < closer
+
+
+def test_the_overlay_shows_the_points_and_tells_the_distances():
+    found = hand()
+    perform(found, "fit")
+    shape = found.session.design[WAVE]
+    items = list(overlays["fit_residual"].draw(shape, shape.curve, Seen(CAMERA)))
+    (hairs,) = [item for item in items if isinstance(item, Segments)]
+    (caption,) = [item for item in items if isinstance(item, Caption)]
+    largest = np.linalg.norm(hairs.starts - hairs.ends, axis=1).max()
+    assert caption.rows[1].value == f"{largest:.3g}"
+
+
+def test_a_curve_that_was_not_fitted_has_no_points_to_show():
+    assert not list(overlays["fit_residual"].draw(Shape(crowded(), "A"), crowded(), Seen(CAMERA)))
