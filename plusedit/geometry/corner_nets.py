@@ -18,6 +18,7 @@ from plusedit.geometry.bases import Basis
 from plusedit.geometry.bases.bspline import BSpline
 from plusedit.geometry.convex_hull import HullMesh, hull_mesh
 from plusedit.geometry.planes import ControlPlanes
+from plusedit.geometry.supports import supports
 from plusedit.geometry.surface import PlusSurface
 from plusedit.geometry.surface_elevation import elevated_surface
 
@@ -92,12 +93,6 @@ def _whole(basis: Basis) -> Floats:
 
 def _support(basis: Basis) -> Floats:
     """(2, n) the distances from each node at which its function becomes zero."""
-    if isinstance(basis, BSpline):
-        if basis.closed:
-            half = basis.order / (2.0 * basis.size)
-            return np.array([[-half], [half]]) + np.zeros(basis.size)
-        knots = basis.knot_vector
-        return np.stack([knots[: basis.size], knots[basis.order :]]) - basis.nodes
-    if basis.closed:
+    if basis.closed and not isinstance(basis, BSpline):
         raise ValueError("only closed B-splines have hulls")
-    return _whole(basis)
+    return supports(basis) - basis.nodes
