@@ -22,9 +22,8 @@ from plusedit.scene.color_scale import SCALES, Colors, Span
 from plusedit.scene.drawn_surface import Grids
 from plusedit.scene.items import Legend
 from plusedit.scene.mesh_drawing import DrawnNet, MeshDrawing
-from plusedit.scene.overlays import Coloring, Numbers, Overlay, in_order
+from plusedit.scene.overlays import CONTRAST, Coloring, Numbers, Overlay, in_order
 
-ROBUST = 1.0  # percent of the values of a shape at either end that may lie beyond the scale
 ROUND = (1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0)  # ends of scales, times a power of ten
 SHADES = 33  # colors that a legend is drawn with
 RECENT = 4  # pictures whose colors are kept
@@ -34,7 +33,7 @@ Key: TypeAlias = tuple[str, frozenset[tuple[str, float]]]
 """An overlay and its settings"""
 
 _OF_MESHES: "WeakKeyDictionary[MeshDrawing, dict[Key, Floats]]" = WeakKeyDictionary()
-_LATEST: "WeakKeyDictionary[DrawnNet, dict[Key, Floats]]" = WeakKeyDictionary()
+_LATEST: "WeakKeyDictionary[DrawnNet, dict[str, Floats]]" = WeakKeyDictionary()
 """Those of the last drawing with that net, which may be gone by now."""
 _OF_SURFACES: "WeakKeyDictionary[PlusSurface, dict[tuple[Key, Grids], Floats]]"
 _OF_SURFACES = WeakKeyDictionary()
@@ -72,7 +71,7 @@ def mesh_values(
         values = entry.mesh_values(surface, drawing, numbers)
         if values is None:
             return None
-        kept[key] = _LATEST.setdefault(drawing.net, {})[key] = values
+        kept[key] = _LATEST.setdefault(drawing.net, {})[entry.name] = values
     return kept[key]
 
 
@@ -85,13 +84,12 @@ def known_values(
     entry: Overlay, surface: MeshSurface, drawing: MeshDrawing, numbers: Numbers = USUAL
 ) -> Floats | None:
     """(n,) the values, or else those before the last change; None while there are neither."""
-    key = _key(entry, numbers)
-    kept = _OF_MESHES.get(drawing, {}).get(key)
-    return _LATEST.get(drawing.net, {}).get(key) if kept is None else kept
+    kept = _OF_MESHES.get(drawing, {}).get(_key(entry, numbers))
+    return _LATEST.get(drawing.net, {}).get(entry.name) if kept is None else kept
 
 
 def _key(entry: Overlay, numbers: Numbers) -> Key:
-    return entry.name, frozenset(numbers.items())
+    return entry.name, frozenset(item for item in numbers.items() if item[0] != CONTRAST.name)
 
 
 def surface_values(
@@ -109,44 +107,50 @@ def surface_values(
     return kept[key]
 
 
-_recent: deque[tuple[Coloring, tuple[Floats, ...], tuple[list[Colors], Legend]]]
+_recent: deque[tuple[tuple[Coloring, float], tuple[Floats, ...], tuple[list[Colors], Legend]]]
 _recent = deque(maxlen=RECENT)
 
 
-def tinted(entry: Overlay, values: Mapping[ShapeId, Floats]) -> Tints:
+def tinted(entry: Overlay, values: Mapping[ShapeId, Floats], numbers: Numbers = USUAL) -> Tints:
     """The colors for the values of all shapes, on one scale. The same arrays for the same values.
 
-    Nothing is colored where no value is a number.
+    `numbers` are the settings of the overlay, of which the contrast counts. Nothing is colored
+    where no value is a number.
     """
     arrays = tuple(values.values())
-    found = next((made for by, old, made in _recent if _is_same(entry, by, old, arrays)), None)
+    by = entry.coloring, numbers.get(CONTRAST.name, CONTRAST.usual)
+    found = next((made for key, old, made in _recent if _is_same(by, key, old, arrays)), None)
     if found is None:
-        span = span_of(entry.coloring, arrays)
+        span = span_of(entry.coloring, arrays, by[1])
         if span is None:
             return NO_TINTS
         scale = SCALES[entry.coloring.kind]
         colors = [scale.at(span.shares(array)) for array in arrays]
         found = colors, legend_of(entry, span, arrays)
-        _recent.append((entry.coloring, arrays, found))
+        _recent.append((by, arrays, found))
     return Tints(MappingProxyType(dict(zip(values, found[0], strict=True))), found[1])
 
 
 def _is_same(
-    entry: Overlay, coloring: Coloring, old: tuple[Floats, ...], arrays: tuple[Floats, ...]
+    by: tuple[Coloring, float],
+    key: tuple[Coloring, float],
+    old: tuple[Floats, ...],
+    arrays: tuple[Floats, ...],
 ) -> bool:
-    is_as_many = coloring is entry.coloring and len(old) == len(arrays)
+    is_as_many = by == key and len(old) == len(arrays)
     return is_as_many and all(a is b for a, b in zip(old, arrays, strict=True))
 
 
-def span_of(coloring: Coloring, arrays: Iterable[Floats]) -> Span | None:
+def span_of(coloring: Coloring, arrays: Iterable[Floats], contrast: float = 1.0) -> Span | None:
     """The span of the scale: whole for every shape but for outliers, with round ends.
 
-    None where no value is a number.
+    With more contrast so many times shorter. None where no value is a number.
     """
     finite = [kept for array in arrays if len(kept := array[np.isfinite(array)])]
     if not finite:
         return None
-    ends = np.array([np.percentile(array, (ROBUST, 100.0 - ROBUST)) for array in finite])
+    shares = coloring.outliers, 100.0 - coloring.outliers
+    ends = np.array([np.percentile(array, shares) for array in finite]) / contrast
     low, high = float(ends[:, 0].min()), float(ends[:, 1].max())
     if coloring.kind == "diverging":
         reach = rounded(max(-low, high, coloring.least))

@@ -197,7 +197,8 @@ def _tints(
         drawing = drawing_of(surface, wait=wait)
         find = mesh_values if wait else known_values
         values[shape_id] = find(entry, surface, drawing, numbers)
-    return tinted(entry, {i: found for i, found in values.items() if found is not None})
+    known = {i: found for i, found in values.items() if found is not None}
+    return tinted(entry, known, numbers)
 
 
 def is_opaque(item: Solid) -> bool:

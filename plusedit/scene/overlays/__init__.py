@@ -28,10 +28,10 @@ An overlay can color surfaces in space instead, by values at the points that are
     @twist.coloring_of_meshes
     def mesh_twist(surface: MeshSurface, drawing: MeshDrawing) -> Floats: ...  # (n,)
 
-The values depend on nothing else but the settings of the overlay: where it has any, both functions
-take them as a last argument, a mapping from names to numbers. Those of meshes are found in a thread beside the window's, so
-they may take their time; values that are not numbers are gray. All surfaces that are shown have one
-scale, with a legend in a corner.
+The values depend on nothing else but the settings of the overlay: where it has more than the
+contrast, both functions take them as a last argument, a mapping from names to numbers. Those of
+meshes are found in a thread beside the window's, so they may take their time; values that are not
+numbers are gray. All surfaces that are shown have one scale, with a legend in a corner.
 
 Or it changes how light falls on surfaces, pixel by pixel, into stripes that a shader knows:
 
@@ -71,6 +71,10 @@ class Setting:
     usual: float
     least: float
     most: float
+
+
+CONTRAST = Setting("contrast", "Contrast", 1.0, 0.01, 100.0)
+"""Of an overlay that colors surfaces: by how much the span of its scale is narrowed."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -115,6 +119,8 @@ class Coloring:
     are all positive, to a round number that but a few are beyond"""
     least: float = 0.0
     """the largest value is taken to be that at least, so that rounding errors have no colors"""
+    outliers: float = 1.0
+    """percent of the values of a shape at either end that may lie beyond the scale"""
 
 
 @dataclass
@@ -194,7 +200,9 @@ class Overlay:
         return self._mesh_values(surface, drawing, *self._arguments(numbers))
 
     def _arguments(self, numbers: Numbers | None) -> tuple[Numbers, ...]:
-        return ({**self.numbers({}), **(numbers or {})},) if self.settings else ()
+        if all(setting is CONTRAST for setting in self.settings):
+            return ()
+        return ({**self.numbers({}), **(numbers or {})},)
 
     def draw(self, shape: Shape, geometry: Geometry, seen: Seen) -> Iterable[Item]:
         """What is drawn of a shape; nothing of a kind that it does not take."""

@@ -6,7 +6,7 @@ from plusedit.geometry.surface import PlusSurface
 from plusedit.scene import drawn_curvature
 from plusedit.scene.drawn_curvature import curvatures_of_drawing, curvatures_on_grid
 from plusedit.scene.mesh_drawing import MeshDrawing
-from plusedit.scene.overlays import Coloring, overlay
+from plusedit.scene.overlays import CONTRAST, Coloring, overlay
 
 gaussian = overlay(
     "gaussian",
@@ -14,7 +14,8 @@ gaussian = overlay(
     order=71,
     shortcut="F2",
     group="Surface analysis",
-    coloring=Coloring("Gaussian curvature", "1 / unit²", "diverging", least=1e-15),
+    coloring=Coloring("Gaussian curvature", "1 / unit²", "diverging", outliers=5.0, least=1e-15),
+    settings=(CONTRAST,),
 )
 
 

@@ -6,7 +6,7 @@ from plusedit.geometry.surface import PlusSurface
 from plusedit.scene import drawn_curvature
 from plusedit.scene.drawn_curvature import curvatures_of_drawing, curvatures_on_grid
 from plusedit.scene.mesh_drawing import MeshDrawing
-from plusedit.scene.overlays import Coloring, overlay
+from plusedit.scene.overlays import CONTRAST, Coloring, overlay
 
 mean = overlay(
     "mean",
@@ -14,7 +14,8 @@ mean = overlay(
     order=72,
     shortcut="F3",
     group="Surface analysis",
-    coloring=Coloring("Mean curvature", "1 / unit", "diverging", least=1e-9),
+    coloring=Coloring("Mean curvature", "1 / unit", "diverging", outliers=5.0, least=1e-9),
+    settings=(CONTRAST,),
 )
 
 

@@ -5,7 +5,7 @@ from plusedit.geometry.mesh.mesh_surface import MeshSurface
 from plusedit.geometry.surface import PlusSurface
 from plusedit.scene.drawn_curvature import curvatures_of_drawing, curvatures_on_grid
 from plusedit.scene.mesh_drawing import MeshDrawing
-from plusedit.scene.overlays import Coloring, overlay
+from plusedit.scene.overlays import CONTRAST, Coloring, overlay
 
 smallest = overlay(
     "smallest",
@@ -13,7 +13,8 @@ smallest = overlay(
     order=74,
     shortcut="Shift+F4",
     group="Surface analysis",
-    coloring=Coloring("Smallest curvature", "1 / unit", "diverging", least=1e-9),
+    coloring=Coloring("Smallest curvature", "1 / unit", "diverging", outliers=5.0, least=1e-9),
+    settings=(CONTRAST,),
 )
 
 
