@@ -9,7 +9,7 @@ from plusedit.commands.shapes import AddShapes, DeleteShapes, Reorder
 from plusedit.document.design import Design
 from plusedit.document.shape import Shape, ShapeId
 from plusedit.io.opening import is_mesh, mesh_suffixes
-from plusedit.scene.drawn_mesh import KEPT, keep, previewed
+from plusedit.scene.drawn_mesh import keep, previewed
 from plusedit.scene.mesh_drawing import MeshDrawing
 
 if TYPE_CHECKING:
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 __all__ = ["MeshReading", "is_mesh", "mesh_suffixes", "opened", "read_again", "told"]
 
 MADE = 0.85  # of the time, when there are surfaces; then they are evaluated
-AT_ONCE = 8  # parts that are evaluated before they are shown; the window has the others done
+AT_ONCE = 1_000_000  # points evaluated before they are shown; the window has the others done
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,12 +63,14 @@ def opened(path: Path, tell: "Progress", options: "ImportOptions | None" = None)
 
     wished = options or ImportOptions()
     found = import_mesh(path, wished, lambda share, words: tell(MADE * share, words))
-    drawings = []
+    drawings: list[MeshDrawing] = []
+    points = 0
     # Worked out here and not in the window's thread, which draws them next.
     for number, part in enumerate(found.parts):
         tell(MADE + (1.0 - MADE) * number / len(found.parts), "Evaluating the surfaces")
-        if number < min(AT_ONCE, KEPT):
+        if points <= AT_ONCE:
             drawings.append(previewed(part.surface))
+            points += len(drawings[-1].points)
     tell(1.0, "Done")
     return MeshReading(path, wished, found, tuple(drawings))
 

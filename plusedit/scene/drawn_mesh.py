@@ -20,7 +20,8 @@ from plusedit.scene.mesh_drawing import MeshDrawing
 from plusedit.scene.mesh_nets import bare_net, known_net, net_of
 from plusedit.scene.moved_meshes import moved_drawing
 
-KEPT = 24  # drawings
+KEPT = 24  # drawings, and small ones beyond
+KEPT_POINTS = 2_000_000  # of all that are kept
 AT_ONCE = 2_000_000  # planes at places that are evaluated in the time of a frame
 WIDE = 700.0  # planes that are within reach of a place, for S = 1
 NEAR = 60.0  # and for a small S
@@ -104,8 +105,9 @@ def keep(surface: MeshSurface, drawing: MeshDrawing) -> MeshDrawing:
     _DRAWINGS[surface] = drawing
     _UNKNOWN.clear()
     drawing.net.latest[:] = [drawing]
-    while len(_DRAWINGS) > KEPT:
-        del _DRAWINGS[next(iter(_DRAWINGS))]
+    points = sum(len(kept.points) for kept in _DRAWINGS.values())
+    while len(_DRAWINGS) > KEPT and points > KEPT_POINTS:
+        points -= len(_DRAWINGS.pop(next(iter(_DRAWINGS))).points)
     return drawing
 
 

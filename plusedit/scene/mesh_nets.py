@@ -14,6 +14,8 @@ from plusedit.geometry.mesh.polygons import PolygonMesh, fixed
 from plusedit.scene.mesh_drawing import DrawnNet, Pairs
 
 MOST = 1 << 17  # corners of the faces that are drawn, unless the mesh has more
+WHOLE = 8 * MOST  # of all meshes; each takes no more than a quarter of what the others leave
+LEAST = MOST >> 5  # that a mesh may have, however many others there are
 FINEST = 4  # times that edges are halved
 
 
@@ -67,10 +69,18 @@ def _is_alike(surface: MeshSurface, other: Foundation) -> bool:
     )
 
 
+def _room() -> int:
+    """How many corners another mesh may be drawn with: of many, each is small in the view."""
+    with _LOCK:
+        nets = {id(net): net for net in _NETS.values()}
+    drawn = sum(len(net.mesh.corners) for net in nets.values())
+    return max(LEAST, min(MOST, (WHOLE - drawn) // 4))
+
+
 def _net(surface: MeshSurface) -> DrawnNet:
     mesh, corners = surface.mesh, max(len(surface.mesh.corners), 1)
-    times = 0
-    while times < FINEST and corners * 4 ** (times + 1) <= MOST:
+    times, most = 0, _room()
+    while times < FINEST and corners * 4 ** (times + 1) <= most:
         times += 1
     edges, counts = polygon_edges(mesh)
     boundary = edges[counts == 1]

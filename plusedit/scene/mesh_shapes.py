@@ -28,7 +28,9 @@ BACK = 0.72  # of the brightness of a surface's own color
 
 _ITEMS: "WeakValueDictionary[tuple[object, ...], Mesh]" = WeakValueDictionary()
 """Those that someone still draws."""
-_SEEN: "WeakKeyDictionary[MeshDrawing, tuple[Hashable, tuple[Floats, ...]]]" = WeakKeyDictionary()
+_SEEN: "WeakKeyDictionary[MeshDrawing, dict[type, tuple[Hashable, tuple[Floats, ...]]]]" = (
+    WeakKeyDictionary()
+)
 _SEGMENTS: "WeakKeyDictionary[MeshDrawing, dict[tuple[str, str], Segments]]" = WeakKeyDictionary()
 
 
@@ -109,14 +111,16 @@ def mesh_silhouette(drawing: MeshDrawing, camera: Camera) -> tuple[Floats, ...]:
     In space they lie before it, and those of bumps that are seen as small are left out.
     """
     key: Hashable = camera.projection if isinstance(camera, PlaneCamera) else camera
-    seen = _SEEN.get(drawing)
+    # One for each view: both are drawn again whenever something changes.
+    by_kind = _SEEN.setdefault(drawing, {})
+    seen = by_kind.get(type(camera))
     if seen is None or seen[0] != key:
         lines = zero_lines(drawing.points, drawing.net.triangles, _facing(drawing, camera))
         if isinstance(camera, SpaceCamera):
             found = tuple(lifted(line, camera) for line in _long(list(lines), camera))
         else:
             found = tuple(lines)
-        seen = _SEEN[drawing] = key, found
+        seen = by_kind[type(camera)] = key, found
     return seen[1]
 
 

@@ -7,6 +7,7 @@ begun. Once the design rests, surfaces are evaluated to full accuracy, which end
 
 from dataclasses import dataclass, field
 from threading import Thread
+from time import perf_counter
 from weakref import WeakSet
 
 from PySide6.QtCore import QObject, QTimer
@@ -29,6 +30,8 @@ from plusedit.views.workers import start_worker
 
 GLANCE = 4  # milliseconds between looks whether a surface is done
 PAUSE = 150  # milliseconds without an edit, after which accuracy comes before speed
+MANY = 8  # surfaces: of more, what is ready is told together
+TOGETHER = 1.0  # seconds
 
 Wish = tuple[ShapeId, MeshSurface]
 
@@ -75,6 +78,8 @@ class MeshEvaluation(QObject):
         self._session = session
         self._job: _Job | None = None
         self._thread: Thread | None = None
+        self._is_news, self._told = False, 0.0
+        """whether something is ready that is not told yet, and when something was"""
         self._last: ShapeId | None = None
         """the shape that was evaluated last"""
         self._failed: WeakSet[MeshSurface] = WeakSet()
@@ -140,10 +145,19 @@ class MeshEvaluation(QObject):
         self._last = job.shape
         if job.found:
             keep(job.surface, job.found[0])
-            self.ready.emit()
+            self._is_news = True
         elif not job.is_unwanted:
             self._failed.add(job.surface)
         self._begin()
+        self._tell()
+
+    def _tell(self) -> None:
+        """Say that something is ready; of many surfaces not each, for each makes all be drawn."""
+        is_time = perf_counter() - self._told > TOGETHER or self._job is None
+        if self._is_news and (is_time or len(self._shown()) <= MANY):
+            self._is_news = False
+            self.ready.emit()
+            self._told = perf_counter()
 
 
 def _is_exact(surface: MeshSurface) -> bool:

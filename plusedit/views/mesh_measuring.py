@@ -7,6 +7,7 @@ first; of what was wished for meanwhile only what is still drawn is found.
 
 from dataclasses import dataclass
 from threading import Thread
+from time import perf_counter
 from weakref import WeakSet
 
 from PySide6.QtCore import QObject, QTimer
@@ -20,7 +21,7 @@ from plusedit.scene.drawn_mesh import known_drawing
 from plusedit.scene.mesh_drawing import MeshDrawing
 from plusedit.scene.options import ViewOptions
 from plusedit.scene.overlays import Numbers, Overlay
-from plusedit.views.mesh_evaluation import MeshEvaluation
+from plusedit.views.mesh_evaluation import MANY, TOGETHER, MeshEvaluation
 from plusedit.views.workers import start_worker
 
 GLANCE = 10  # milliseconds between looks whether a surface is done
@@ -63,6 +64,8 @@ class MeshMeasuring(QObject):
         self._numbers: Numbers = {}
         self._job: _Job | None = None
         self._thread: Thread | None = None
+        self._told = 0.0
+        """when something was ready last"""
         self._failed: WeakSet[MeshDrawing] = WeakSet()
         self._glance = QTimer(self, interval=GLANCE)
         self._glance.timeout.connect(self._look)
@@ -114,5 +117,9 @@ class MeshMeasuring(QObject):
         self._glance.stop()
         if job.has_failed:
             self._failed.add(job.drawing)
-        self.ready.emit()
         self._begin()
+        # Each time all is drawn again: not for each of many.
+        is_time = perf_counter() - self._told > TOGETHER or self._job is None
+        if is_time or len(list(self._session.design.meshes())) <= MANY:
+            self.ready.emit()
+            self._told = perf_counter()
