@@ -21,7 +21,7 @@ from plusedit.geometry.lines import ControlLines
 from plusedit.geometry.planes import ControlPlanes
 from plusedit.geometry.surface import PlusSurface
 from plusedit.geometry.surface import terms as surface_terms
-from plusedit.scene.camera import PlaneCamera
+from plusedit.scene.camera import Camera, PlaneCamera
 from plusedit.scene.drawn import drawn
 from plusedit.scene.drawn_surface import Grids, surface_grids
 from plusedit.scene.isolines import isolines
@@ -32,7 +32,8 @@ from plusedit.scene.shapes import shown_shapes
 PART = "accent"  # the color of what gradients add
 FEWEST, MOST = 8, 1200  # hairs of a curve
 MOST_OF_SURFACE = 41  # in each direction
-ROOM = 0.06  # of the size of a shape, between it and its plus term
+ROOM = 0.04  # of the size of a shape, between it and its plus term
+NAME = 28.0  # pixels more: where its name stands
 
 decomposition = overlay(
     "decomposition",
@@ -43,8 +44,8 @@ decomposition = overlay(
     settings=(Setting("density", "Hairs per control line", 8.0, 1.0, 64.0),),
 )
 
-_TERMS: "WeakKeyDictionary[PlusCurve, PlusCurve]" = WeakKeyDictionary()
-_SURFACE_TERMS: "WeakKeyDictionary[PlusSurface, PlusSurface]" = WeakKeyDictionary()
+_TERMS: "WeakKeyDictionary[PlusCurve, tuple[Camera, PlusCurve]]" = WeakKeyDictionary()
+_SURFACE_TERMS: "WeakKeyDictionary[PlusSurface, tuple[Camera, PlusSurface]]" = WeakKeyDictionary()
 _GLASS: "WeakKeyDictionary[PlusSurface, tuple[Grids, Patch]]" = WeakKeyDictionary()
 
 
@@ -62,9 +63,11 @@ def of_curve(shape: Shape, curve: PlusCurve, seen: Seen) -> Iterator[Item]:
     pull = curve.s * plus
     yield Segments(base, base + pull, f"{PART}@60", 1.0)
     yield Polyline(drawn(curve.classical, seen.camera).points, "classical", 1.25)
-    term = _TERMS.get(curve)
-    if term is None:
-        term = _TERMS[curve] = _term_of_curve(curve, _beside(curve.lines.points, base, pull))
+    kept = _TERMS.get(curve)
+    if kept is None or kept[0] != seen.camera:
+        place = _beside(curve.lines.points, base, pull, seen.camera)
+        kept = _TERMS[curve] = seen.camera, _term_of_curve(curve, place)
+    term = kept[1]
     anchor = term.lines.points[:1]
     yield Segments(np.repeat(anchor, len(pull), axis=0), anchor + pull, f"{PART}@30", 1.0)
     yield Polyline(drawn(term, seen.camera).points, PART, 1.5)
@@ -84,10 +87,11 @@ def of_surface(shape: Shape, surface: PlusSurface, seen: Seen) -> Iterator[Item]
     yield Segments(base, base + pull, f"{PART}@70", 1.0)
     grids = surface_grids(surface, seen.camera)
     yield from _classical(surface, grids, seen)
-    term = _SURFACE_TERMS.get(surface)
-    if term is None:
-        place = _beside(surface.planes.control_points, base, pull)
-        term = _SURFACE_TERMS[surface] = _term_of_surface(surface, place)
+    kept = _SURFACE_TERMS.get(surface)
+    if kept is None or kept[0] != seen.camera:
+        place = _beside(surface.planes.control_points, base, pull, seen.camera)
+        kept = _SURFACE_TERMS[surface] = seen.camera, _term_of_surface(surface, place)
+    term = kept[1]
     lines = isolines(term, grids)
     for points in (*lines.along_u, *lines.along_v):
         yield Polyline(points, f"{PART}@50", 1.0)
@@ -116,12 +120,12 @@ def _classical(surface: PlusSurface, grids: Grids, seen: Seen) -> Iterator[Item]
     yield kept[1]
 
 
-def _beside(points: Floats, base: Floats, pull: Floats) -> Floats:
+def _beside(points: Floats, base: Floats, pull: Floats, camera: Camera) -> Floats:
     """(dim,) where vectors (m, dim) have to begin so that all end below a shape, in its middle."""
     low, high = points.min(axis=0), points.max(axis=0)
     bottom = np.minimum(low, np.minimum(base, base + pull).min(axis=0))
     place: Floats = (low + high) / 2.0 - (pull.min(axis=0) + pull.max(axis=0)) / 2.0
-    gap = ROOM * float((high - low).max())
+    gap = ROOM * float((high - low).max()) + NAME * float(camera.pixel_at(points).mean())
     place[-1] = bottom[-1] - gap - max(0.0, float(pull[:, -1].max()))
     return place
 
