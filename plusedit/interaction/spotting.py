@@ -44,7 +44,8 @@ def spot_items(spot: Spot, stage: Stage) -> Iterator[Item]:
     with np.errstate(all="ignore"):
         for entry in in_order():
             if entry.follows_pointer and entry.name in options.overlays:
-                seen = Seen(stage.camera, lines, entry.numbers(options.settings))
+                numbers = entry.numbers(options.settings)
+                seen = Seen(stage.camera, lines, numbers, stage.design)
                 items = entry.draw_place(shape, shape.geometry, spot.place, seen)
                 yield from filter(is_finite, items)
 

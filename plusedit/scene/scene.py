@@ -68,8 +68,8 @@ def scene_items(
     shown, meshes = shown_shapes(design, only), shown_meshes(design, only)
     overlays = chain(
         design_overlay_items(design, camera, options, selection) if only is None else (),
-        overlay_items(shown, camera, options, selection),
-        overlay_items(meshes, camera, options, selection),
+        overlay_items(design, shown, camera, options, selection),
+        overlay_items(design, meshes, camera, options, selection),
     )
     shapes = (
         item

@@ -59,18 +59,19 @@ def shown_meshes(design: Design, only: Collection[ShapeId] | None = None) -> lis
 
 
 def overlay_items(
+    design: Design,
     shown: Sequence[Shown | ShownMesh],
     camera: Camera,
     options: ViewOptions,
     selection: Selection = NOTHING_SELECTED,
 ) -> Iterator[Item]:
-    """What the overlays that are switched on draw about those shapes."""
+    """What the overlays that are switched on draw about those shapes of a design."""
     lines = selection.by_shape()
     for entry in in_order():
         if entry.name in options.overlays:
             numbers = entry.numbers(options.settings)
             for shape_id, shape, geometry in shown:
-                seen = Seen(camera, lines.get(shape_id, ()), numbers)
+                seen = Seen(camera, lines.get(shape_id, ()), numbers, design)
                 yield from entry.draw(shape, geometry, seen)
 
 
@@ -80,7 +81,7 @@ def design_overlay_items(
     """What they draw about the design as a whole."""
     for entry in in_order():
         if entry.name in options.overlays:
-            seen = Seen(camera, settings=entry.numbers(options.settings))
+            seen = Seen(camera, (), entry.numbers(options.settings), design)
             yield from entry.draw_design(design, selection.shapes, seen)
 
 

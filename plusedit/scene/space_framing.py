@@ -59,7 +59,7 @@ def framed_in_space(
             points.append(coarse_points(geometry))
     for _ in range(ROUNDS):
         items = [
-            *overlay_items(shown, camera, options),
+            *overlay_items(design, shown, camera, options),
             *handle_items(design, camera, options, NOTHING_SELECTED, chosen),
         ]
         extent = np.concatenate(

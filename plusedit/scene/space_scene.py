@@ -107,8 +107,8 @@ def space_items(
         tints = _tints(design, camera, options, draft=draft, wait=wait, only=only)
         overlays = chain(
             design_overlay_items(design, camera, options, selection) if only is None else (),
-            overlay_items(shown, camera, options, selection),
-            overlay_items(shown_meshes(design, only), camera, options, selection),
+            overlay_items(design, shown, camera, options, selection),
+            overlay_items(design, shown_meshes(design, only), camera, options, selection),
         )
         shapes = (
             item

@@ -86,6 +86,8 @@ class Seen:
     """the selected control lines or planes of the shape, rising"""
     settings: Mapping[str, float] = field(default_factory=dict)
     """the numbers of the overlay, each by its name"""
+    design: Design | None = None
+    """what else there is, so that sizes may be the same for all of it"""
 
 
 DrawCurve: TypeAlias = Callable[[Shape, PlusCurve, Seen], Iterable[Item]]

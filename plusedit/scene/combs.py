@@ -1,0 +1,139 @@
+"""Curvature combs: teeth across a curve, as long as it is curved, and the line along their tips.
+
+A tooth stands on the outer side of the curve, at p - f k N with the curvature vector k N. The
+factor f is the same for all of a design, so that combs of different curves can be compared. Where
+the curvature jumps, at a knot, there are two teeth and the line is broken; it is broken, too, where
+teeth would be longer than the design and are cut.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from weakref import WeakKeyDictionary
+
+import numpy as np
+from numpy.typing import NDArray
+
+from plusedit.geometry.arrays import Floats
+from plusedit.geometry.curvature_profile import CurvatureRun, curvature_run
+from plusedit.geometry.curve import PlusCurve
+from plusedit.scene.camera import Camera
+from plusedit.scene.extents import USUAL, Extent
+from plusedit.scene.items import Item, Label, Polyline, Segments
+
+TEETH = 60  # of a curve, about; between knots three at least
+FINER = 4  # places of the line along the tips for each tooth
+SHARE = 0.12  # of the size of shapes: a tooth where a curve bends as its polygon does in the mean
+LONGEST = 0.5  # sizes: longer teeth are cut
+EVEN = 1e-6  # of the size: tips that near are one
+TOLD = 24.0  # pixels, from which on the longest tooth says how much it stands for
+COLOR, FAINT = "v", "v@50"
+WORDS = 10.0  # pixels, the height of letters
+
+
+@dataclass(frozen=True)
+class Measure:
+    """How combs are drawn."""
+
+    factor: float
+    """the length of a tooth for a curvature of one"""
+    longest: float
+    """in the world"""
+    teeth: int
+
+    @classmethod
+    def of(cls, scale: float, density: float, extent: Extent = USUAL) -> "Measure":
+        """Teeth so many times as long and as close as usual, for shapes of that extent."""
+        factor = scale * SHARE * extent.size / extent.curvature
+        return cls(factor, LONGEST * extent.size, max(1, round(TEETH * density)))
+
+
+@dataclass(frozen=True, eq=False)
+class Comb:
+    """The comb of one curve."""
+
+    items: tuple[Item, ...]
+    foot: Floats
+    """(1, dim) where the longest tooth stands"""
+    tip: Floats
+    """(1, dim)"""
+    largest: float
+    """the curvature there, by its size"""
+    is_cut: bool
+    """whether the tooth would be longer"""
+
+
+@dataclass(eq=False)
+class _Kept:
+    runs: dict[int, CurvatureRun] = field(default_factory=dict)
+    combs: dict[Measure, Comb] = field(default_factory=dict)
+
+
+_KEPT: "WeakKeyDictionary[PlusCurve, _Kept]" = WeakKeyDictionary()
+
+
+def comb_of(curve: PlusCurve, measure: Measure) -> Comb:
+    """The comb of a curve; the same one, with the same items, for the same measure."""
+    kept = _KEPT.setdefault(curve, _Kept())
+    comb = kept.combs.get(measure)
+    if comb is None:
+        if measure.teeth not in kept.runs:
+            kept.runs = {measure.teeth: curvature_run(curve, measure.teeth + 1, finer=FINER)}
+        comb = _comb(kept.runs[measure.teeth], measure)
+        kept.combs = {measure: comb}
+    return comb
+
+
+def comb_items(curve: PlusCurve, measure: Measure, camera: Camera) -> Iterator[Item]:
+    """The comb, and at its longest tooth the curvature that this stands for."""
+    comb = comb_of(curve, measure)
+    yield from comb.items
+    foot, tip = (camera.to_screen(end)[0] for end in (comb.foot, comb.tip))
+    length = float(np.hypot(*(tip - foot)))
+    if TOLD <= length < np.inf and not comb.is_cut:
+        right, down = (tip - foot) / length * WORDS
+        text = f"κ {comb.largest:.3g}"
+        yield Label(comb.tip[0], text, COLOR, (right, down + 0.36 * WORDS), "center", WORDS)
+
+
+def _comb(run: CurvatureRun, measure: Measure) -> Comb:
+    vectors = np.nan_to_num(run.vectors, posinf=0.0, neginf=0.0)
+    size = np.linalg.norm(vectors, axis=1)
+    length = measure.factor * size
+    is_long = length > measure.longest
+    shrunk = np.divide(measure.longest, length, out=np.ones(len(size)), where=is_long)
+    tips = run.points - (measure.factor * shrunk)[:, None] * vectors
+    is_whole = np.isfinite(run.vectors).all(axis=1) & ~is_long
+    joined = is_whole[:-1] & is_whole[1:] & ~_jumps(run, tips, measure.longest)
+    lines = np.split(tips, 1 + np.flatnonzero(~joined))
+    teeth = _teeth(run, joined)
+    best = int(teeth[size[teeth].argmax()])
+    return Comb(
+        (
+            Segments(run.points[teeth], tips[teeth], FAINT, 1.0),
+            *(Polyline(line, COLOR, 1.0) for line in lines if len(line) > 1),
+        ),
+        run.points[best : best + 1],
+        tips[best : best + 1],
+        float(size[best]),
+        bool(is_long[best]),
+    )
+
+
+def _jumps(run: CurvatureRun, tips: Floats, size: float) -> NDArray[np.bool_]:
+    """(m - 1,) whether a piece ends after a sample, and the next begins with another tooth."""
+    jumps = np.zeros(len(tips) - 1, dtype=np.bool_)
+    last = run.starts[1:-1] - 1
+    apart = np.linalg.norm(tips[last + 1] - tips[last], axis=1)
+    jumps[last] = apart > EVEN * size
+    return jumps
+
+
+def _teeth(run: CurvatureRun, joined: NDArray[np.bool_]) -> NDArray[np.intp]:
+    """The samples that have a tooth: one in some of each piece, its ends among them."""
+    counts = np.diff(run.starts)
+    numbers = np.arange(run.starts[-1]) - np.repeat(run.starts[:-1], counts)
+    has_tooth = numbers % FINER == 0
+    # Where pieces join evenly, one of two equal teeth.
+    first = run.starts[1:-1]
+    has_tooth[first[joined[first - 1]]] = False
+    return np.flatnonzero(has_tooth)
