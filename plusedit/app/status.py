@@ -1,10 +1,13 @@
 """The status bar: what can be done here, and the numbers under the pointer."""
 
+from collections.abc import Iterator
+
 from PySide6.QtCore import QEvent, Qt, QTimer
 from PySide6.QtGui import QFontMetrics, QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QStatusBar, QWidget
 
-from plusedit.document.shape import PlusGeometry, ShapeId
+from plusedit.document.shape import Geometry, ShapeId
+from plusedit.interaction.facets import surfaces_under
 from plusedit.interaction.tool import Feedback
 from plusedit.views.desk import Desk
 from plusedit.views.look import tabular
@@ -144,12 +147,22 @@ class Status(QStatusBar):
             self.bend.setText(self._read[1])
             return
         self.place.setText("  ".join(f"{NAMES[axis]} {value:.3f}" for axis, value in self._at))
-        found, view = self._probed(), self._panes.active
-        self.bend.setText("" if found is None else reading(found, view.camera, view.pointer.at))
+        view, options = self._panes.active, self._desk.gestures.stage().options
+        readings = (reading(g, view.camera, view.pointer.at, options) for g in self._probed())
+        self.bend.setText(next(filter(None, readings), ""))
 
-    def _probed(self) -> PlusGeometry | None:
-        """The shape that numbers are told of: the one with the active line, or the first chosen."""
-        shapes = self._desk.selected_shapes()
-        active = self._desk.session.selection.active
-        key: ShapeId | None = active.shape if active is not None else next(iter(shapes), None)
-        return None if key is None else shapes.get(key)
+    def _probed(self) -> Iterator[Geometry]:
+        """The shapes that numbers are told of: of the first that has a point at the pointer.
+
+        That with the active line, else the first chosen, else what lies under the pointer.
+        """
+        design, selection = self._desk.session.design, self._desk.session.selection
+        active = selection.active
+        chosen = [i for i in design if i in selection.shapes]
+        key: ShapeId | None = active.shape if active is not None else next(iter(chosen), None)
+        if key is not None and key in design:
+            yield design[key].geometry
+        stage = self._desk.gestures.stage()
+        for hit in surfaces_under(self._panes.active.pointer.at, stage)[:1]:
+            if hit.shape in design:
+                yield design[hit.shape].geometry

@@ -81,6 +81,10 @@ class Crossing:
     """of the mesh"""
     u: float
     v: float
+    triangle: int
+    """of the drawing"""
+    shares: tuple[float, float, float]
+    """what each of its corners has in the point"""
 
 
 _KEPT: "WeakKeyDictionary[MeshDrawing, tuple[Camera, MeshFacets]]" = WeakKeyDictionary()
@@ -94,9 +98,20 @@ def mesh_crossings(at: Floats, surface: MeshSurface, camera: Camera) -> list[Cro
     hit = (shares >= 0.0).all(axis=1)
     rows, shares = rows[hit], shares[hit]
     depths = np.einsum("kc,kc->k", shares, facets.depths[net.triangles[rows]])
-    places = np.einsum("kc,kcd->kd", shares, net.places[net.triangles[rows]])
+    corners = net.places[net.triangles[rows]]
+    for corner in (1, 2):
+        # Across a seam the corners have parameters on either side of it.
+        corners[:, corner] = surface.domain.nearest(corners[:, corner], corners[:, 0])
+    places = np.einsum("kc,kcd->kd", shares, corners)
     return [
-        Crossing(float(depths[k]), int(net.faces[rows[k]]), *places[k].tolist())
+        Crossing(
+            depth=float(depths[k]),
+            face=int(net.faces[rows[k]]),
+            u=float(places[k, 0]),
+            v=float(places[k, 1]),
+            triangle=int(rows[k]),
+            shares=(float(shares[k, 0]), float(shares[k, 1]), float(shares[k, 2])),
+        )
         for k in np.argsort(depths, kind="stable")
     ]
 

@@ -89,11 +89,16 @@ def spots_on_mesh(surface: MeshSurface, density: float, *, highest: int) -> Spot
         faces = faces[np.linspace(0, len(faces) - 1, most).astype(np.intp)]
     planes = surface.foundation.planes
     found = jets(surface, planes.centers[faces], highest=highest)
-    turned = np.cross(planes.gradients_u[faces], planes.gradients_v[faces])
-    fronts = np.einsum("kd,kd->k", turned, surface.mesh.area_vectors[faces])
-    points = planes.points[planes.used]
-    step = float(np.ptp(points, axis=0).max()) / density
-    return Spots(found, np.where(fronts < 0.0, -1.0, 1.0), step)
+    step = float(np.ptp(planes.points[planes.used], axis=0).max()) / density
+    return Spots(found, sides_of_faces(surface, faces), step)
+
+
+def sides_of_faces(surface: MeshSurface, faces: Faces) -> Floats:
+    """(k,) 1, or -1 where the front of a face looks against S_u x S_v."""
+    planes = surface.foundation.planes
+    across = np.cross(planes.gradients_u[faces], planes.gradients_v[faces])
+    fronts = np.einsum("kd,kd->k", across, surface.mesh.area_vectors[faces])
+    return np.where(fronts < 0.0, -1.0, 1.0)
 
 
 def faces_apart(foundation: Foundation, density: float) -> Faces:

@@ -1,25 +1,27 @@
 """Numbers at the point of a shape that the pointer is nearest to."""
 
-from math import isfinite
-
 import numpy as np
 
-from plusedit.document.shape import PlusGeometry
+from plusedit.document.shape import Geometry
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.curve import PlusCurve
-from plusedit.geometry.surface import PlusSurface
+from plusedit.geometry.mesh.mesh_surface import MeshSurface
 from plusedit.scene.camera import Camera, PlaneCamera
+from plusedit.scene.options import USUAL, ViewOptions
+from plusedit.views.surface_probe import mesh_reading, surface_reading, written
 
 
-def reading(geometry: PlusGeometry, camera: Camera, pixel: Floats) -> str:
-    """Such as "u 0.2500   κ 1.25", or "u 0.25  v 0.50   K 0.1  H 0.3"; empty where there is none.
+def reading(geometry: Geometry, camera: Camera, pixel: Floats, options: ViewOptions = USUAL) -> str:
+    """Such as "u 0.2500   κ 1.25", or what `surface_reading` says; empty where there is none.
 
-    κ is the curvature of a curve, K and H are the Gaussian and mean curvature of a surface.
+    κ is the curvature of a curve.
     """
     with np.errstate(all="ignore"):
         if isinstance(geometry, PlusCurve):
             return _of_curve(geometry, camera, pixel)
-        return _of_surface(geometry, camera, pixel)
+        if isinstance(geometry, MeshSurface):
+            return mesh_reading(geometry, camera, pixel, options)
+        return surface_reading(geometry, camera, pixel, options)
 
 
 def _of_curve(curve: PlusCurve, camera: Camera, pixel: Floats) -> str:
@@ -43,20 +45,3 @@ def _nearest(curve: PlusCurve, camera: Camera, pixel: Floats) -> float | None:
     from plusedit.geometry.nearest import nearest_to_ray
 
     return nearest_to_ray(curve, *camera.ray(pixel))
-
-
-def _of_surface(surface: PlusSurface, camera: Camera, pixel: Floats) -> str:
-    from plusedit.geometry.surface_frames import gaussian_curvature, mean_curvature
-    from plusedit.interaction.spotting import place_under
-
-    place = place_under(surface, pixel, camera)
-    if place is None:
-        return ""
-    found = surface.derivatives_at([place])
-    gauss, mean = float(gaussian_curvature(found)[0]), float(mean_curvature(found)[0])
-    return f"u {place[0]:.4f}  v {place[1]:.4f}   K {written(gauss)}  H {written(mean)}"
-
-
-def written(value: float) -> str:
-    """Four digits, or a dash where there is no such number."""
-    return f"{value + 0.0:.4g}" if isfinite(value) else "–"

@@ -1,0 +1,184 @@
+"""Maps of curvature and draft, normals and principal directions, of shapes that are known."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from plusedit.document.shape import Shape
+from plusedit.geometry.arrays import unit
+from plusedit.geometry.bases.bernstein import Bernstein
+from plusedit.geometry.making.primitives import exact_sphere
+from plusedit.geometry.mesh.mesh_surface import MeshSurface
+from plusedit.geometry.surface_frames import principal_curvatures
+from plusedit.scene.camera import PlaneCamera
+from plusedit.scene.coloring import span_of
+from plusedit.scene.drawn_mesh import drawing_of
+from plusedit.scene.items import Segments
+from plusedit.scene.overlays import Coloring, Seen, overlays
+from plusedit.scene.space_camera import SpaceCamera
+from tests.geometry.mesh.mesh_surfaces import pillow
+from tests.geometry.mesh.mesh_surfaces import torus as torus_mesh
+from tests.geometry.test_surface_frames import cylinder, sphere, surface_of, torus
+from tests.scene.meshes import a_hill
+
+U, V = np.linspace(0.02, 0.97, 11), np.linspace(0.03, 0.96, 9)
+MAPS = ("gaussian", "mean", "largest", "smallest")
+CAMERA = SpaceCamera((800.0, 600.0), height=6.0)
+
+
+def values(name, surface, numbers=None):
+    return overlays[name].surface_values(surface, U, V, numbers)
+
+
+def of_mesh(name, surface):
+    return overlays[name].mesh_values(surface, drawing_of(surface))
+
+
+def items(name, surface, camera=CAMERA, **settings):
+    entry = overlays[name]
+    numbers = {**entry.numbers({}), **settings}
+    return list(entry.draw(Shape(surface, "Body"), surface, Seen(camera, settings=numbers)))
+
+
+@pytest.mark.parametrize("radius", [0.01, 1.0, 250.0])
+@pytest.mark.parametrize("ball", [sphere, exact_sphere])
+def test_a_sphere_bends_alike_everywhere(ball, radius):
+    surface = ball(radius)
+    sign = np.sign(values("mean", surface)[0, 0])
+    assert_allclose(values("gaussian", surface), 1.0 / radius**2, rtol=1e-7)
+    for name in ("mean", "largest", "smallest"):
+        assert_allclose(values(name, surface), sign / radius, rtol=1e-7)
+
+
+@pytest.mark.parametrize("radius", [0.01, 1.0, 250.0])
+def test_a_cylinder_bends_one_way_alone(radius):
+    surface = cylinder(radius)
+    assert (values("gaussian", surface) == 0.0).all()
+    assert_allclose(values("mean", surface), -0.5 / radius, rtol=1e-9)
+    assert (values("largest", surface) == 0.0).all()
+    assert_allclose(values("smallest", surface), -1.0 / radius, rtol=1e-9)
+
+
+def test_a_torus_bends_as_the_angle_around_its_tube_says():
+    large, small = 2.0, 0.6
+    surface = torus(large, small)
+    points = surface.at(U, V)
+    out = np.hypot(points[..., 0], points[..., 1])
+    across = (out - large) / small
+    assert_allclose(values("gaussian", surface), across / (small * out), rtol=1e-8, atol=1e-12)
+    mean = -(large + 2.0 * small * across) / (2.0 * small * out)
+    assert_allclose(values("mean", surface), mean, rtol=1e-8)
+    assert_allclose(values("smallest", surface), -1.0 / small, rtol=1e-8)
+    assert_allclose(values("largest", surface), -across / out, rtol=1e-6, atol=1e-9)
+
+
+def test_a_saddle_bends_up_one_way_and_down_the_other():
+    # z = x y over the unit square.
+    corners = [[(u, v, u * v) for v in (0.0, 1.0)] for u in (0.0, 1.0)]
+    surface = surface_of(Bernstein(2), Bernstein(2), corners)
+    steep = 1.0 + U[:, None] ** 2 + V**2
+    assert_allclose(values("gaussian", surface), -1.0 / steep**2, rtol=1e-10)
+    assert_allclose(values("mean", surface), -(U[:, None] * V) / steep**1.5, rtol=1e-9)
+    assert (values("largest", surface) > 0.0).all()
+    assert (values("smallest", surface) < 0.0).all()
+
+
+def test_maps_of_a_mesh_agree_with_each_other():
+    surface = a_hill(smoothness=3.0)
+    found = {name: of_mesh(name, surface) for name in MAPS}
+    assert_allclose(found["gaussian"], found["largest"] * found["smallest"], atol=1e-12)
+    assert_allclose(found["mean"], (found["largest"] + found["smallest"]) / 2.0, atol=1e-12)
+    assert (found["largest"] >= found["smallest"]).all()
+
+
+def test_a_smooth_mesh_bends_as_what_it_was_made_of():
+    surface = replace(torus_mesh(), smoothness=0.7)
+    exact = of_mesh("gaussian", surface)
+    places = drawing_of(surface).net.places
+    h = 1e-4
+    tangents = [
+        [surface.derivatives(places + step)[k] for k in (1, 2)]
+        for step in ([h, 0.0], [-h, 0.0], [0.0, h], [0.0, -h])
+    ]
+    uu, uv = ((a - b) / (2.0 * h) for a, b in zip(tangents[0], tangents[1], strict=True))
+    vv = (tangents[2][1] - tangents[3][1]) / (2.0 * h)
+    by_differences = principal_curvatures((*surface.derivatives(places), uu, uv, vv))
+    wanted = by_differences.largest * by_differences.smallest
+    assert_allclose(exact, wanted, atol=1e-4 * np.abs(wanted).max())
+
+
+def test_a_mesh_that_is_turned_inside_out_bends_the_other_way():
+    surface = pillow()
+    mesh = surface.mesh
+    rows = mesh.corners.reshape(-1, 3)
+    flipped = type(mesh).of_rows(mesh.vertices, rows[:, ::-1])
+    parameters = surface.parameters.reshape(-1, 3, 2)[:, ::-1].reshape(-1, 2)
+    inside_out = MeshSurface(flipped, surface.domain, parameters)
+    for name, other, sign in (
+        ("gaussian", "gaussian", 1.0),
+        ("mean", "mean", -1.0),
+        ("largest", "smallest", -1.0),
+    ):
+        here, there = of_mesh(name, surface), of_mesh(other, inside_out)
+        assert_allclose(np.sort(here), np.sort(sign * there), rtol=1e-6, atol=1e-6)
+
+
+def test_walls_along_the_pull_have_no_draft_and_roofs_a_right_angle():
+    assert_allclose(values("draft", cylinder(1.0)), 0.0, atol=1e-9)
+    ball = sphere(1.0)
+    heights = ball.at(U, V)[..., 2]
+    assert_allclose(values("draft", ball), np.degrees(np.arcsin(heights)), atol=1e-6)
+
+
+def test_the_pull_can_lean():
+    sideways = {"height": 1.0, "bearing": 90.0}
+    ball = sphere(1.0)
+    found = values("draft", ball, sideways)
+    way = np.array([0.0, np.cos(np.radians(1.0)), np.sin(np.radians(1.0))])
+    assert_allclose(found, np.degrees(np.arcsin(ball.at(U, V) @ way)), atol=1e-6)
+
+
+def test_contrast_narrows_the_scale():
+    data = np.linspace(-1.0, 1.0, 101)
+    coloring = Coloring(kind="diverging")
+    assert span_of(coloring, [data], 10.0).high == pytest.approx(0.1)
+
+
+def test_hairs_point_away_from_the_middle_of_a_ball():
+    hairs = next(item for item in items("normals", sphere(1.0)) if isinstance(item, Segments))
+    assert len(hairs.starts) > 50
+    assert_allclose(unit(hairs.ends - hairs.starts), unit(hairs.starts), atol=1e-9)
+
+
+def test_hairs_are_as_long_as_is_asked_for_wherever_they_are():
+    hairs = items("normals", sphere(1.0), PlaneCamera((800.0, 600.0), scale=50.0), length=30.0)[0]
+    assert_allclose(np.linalg.norm(hairs.ends - hairs.starts, axis=1), 30.0 / 50.0)
+
+
+def test_hairs_of_a_mesh_stand_on_its_surface():
+    surface = torus_mesh()
+    hairs = items("normals", surface)[0]
+    out = hairs.starts * [1.0, 1.0, 0.0]
+    ring = 2.0 * unit(out)
+    assert (np.einsum("kd,kd->k", hairs.ends - hairs.starts, hairs.starts - ring) > 0.0).all()
+
+
+def test_crosses_lie_along_and_across_a_cylinder():
+    # The smallest curvature is that of the circles, for normals that point outward.
+    around, upright = items("principal", cylinder(1.0), PlaneCamera((800.0, 600.0), scale=90.0))
+    assert_allclose(np.abs(unit(upright.ends - upright.starts)[:, 2]), 1.0, atol=1e-9)
+    assert_allclose(unit(around.ends - around.starts)[:, 2], 0.0, atol=1e-9)
+
+
+def test_there_are_no_crosses_on_a_ball():
+    assert items("principal", sphere(1.0)) == []
+
+
+def test_spots_keep_their_distance_where_a_body_is_thin():
+    starts = items("normals", sphere(1.0), density=12.0)[0].starts
+    apart = np.linalg.norm(starts[:, None] - starts, axis=2)
+    apart[np.arange(len(apart)), np.arange(len(apart))] = np.inf
+    nearest = apart.min(axis=1)
+    assert nearest.min() > 0.3 * np.median(nearest)
