@@ -24,6 +24,7 @@ settings.load_profile("plusedit")
 HOME = tempfile.TemporaryDirectory(prefix="plusedit-tests-", ignore_cleanup_errors=True)
 os.environ["XDG_STATE_HOME"] = f"{HOME.name}/state"
 os.environ["XDG_CONFIG_HOME"] = f"{HOME.name}/config"
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 
 def pytest_unconfigure():

@@ -16,6 +16,11 @@ from plusedit.views.gl.functions import OpenGLError
 FLAT = example_files()[0]
 
 
+@pytest.fixture(autouse=True)
+def application(qapp):
+    """Pictures take the application there is: one without widgets would be in the way later."""
+
+
 def rendered(*words):
     """The process: without a display, and without a hint that there is none."""
     hidden = ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM")
