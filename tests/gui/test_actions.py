@@ -134,7 +134,7 @@ def test_a_shortcut_is_changed_and_taken_from_whoever_had_it(window, preferences
 def test_resetting_all_shortcuts_forgets_what_was_chosen(window, preferences, table):
     editor = preferences.shortcuts
     select(editor, "tool.pen")
-    editor.assign(QKeySequence("F7"))
+    editor.assign(QKeySequence("Ctrl+F12"))
     editor.reset()
     preferences._take()
     assert window.settings.shortcuts == {}
@@ -163,7 +163,7 @@ def test_preferences_that_make_no_sense_are_refused_with_a_reason(preferences, f
 
 def test_help_shows_the_keys_as_they_are_now(window, table):
     assert "Ctrl+Shift+P" in page_of(table)
-    table.set_shortcuts({"palette": ["F9"]})
+    table.set_shortcuts({"palette": ["Ctrl+F11"]})
     assert "Ctrl+Shift+P" not in page_of(table)
     window.side.show_help()
     assert "plus curve" in window.side.help.page.toPlainText()
@@ -173,9 +173,9 @@ def test_help_shows_the_keys_as_they_are_now(window, table):
 def test_keys_that_were_pressed_and_not_set_are_taken_with_ok(window, preferences):
     editor = preferences.shortcuts
     select(editor, "tool.pen")
-    editor.keys.setKeySequence(QKeySequence("F7"))
+    editor.keys.setKeySequence(QKeySequence("Ctrl+F12"))
     preferences._take()
-    assert window.settings.shortcuts == {"tool.pen": ["F7"]}
+    assert window.settings.shortcuts == {"tool.pen": ["Ctrl+F12"]}
 
 
 def test_the_palette_leaves_out_what_fits_by_chance(table, window):
