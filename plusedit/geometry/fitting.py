@@ -8,7 +8,8 @@ vector to all gradients changes nothing), and of those the nearest to
 
 is taken, f being the chain of the given points: exact for a quadratic f, and lines that can be
 edited, for they lie along the curve. The parameters, by length at first, are then moved to the
-feet of the points, and lines are added where the curve is still too far away.
+feet of the points, and lines are added where the curve is still too far away. In the end, of the
+curves that are near enough, the one is taken whose lines stray least from where they began.
 """
 
 from collections.abc import Sequence
@@ -19,6 +20,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from plusedit.geometry.arrays import Floats, frozen
+from plusedit.geometry.bases import Basis
 from plusedit.geometry.bases.bspline import BSpline
 from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.lines import ControlLines
@@ -29,6 +31,7 @@ CORRECTIONS = 3  # of the parameters, for one set of knots
 FEET = 4  # steps toward the feet of the points in the end
 STRETCH = 3.0  # how much faster or slower than by length a parameter may run
 REFINEMENTS = 3  # steps that make up for the reluctance where it is not asked for
+RELUCTANCES = (1e-1, 3e-2, 1e-2, 3e-3, 1e-3, 1e-4, 1e-5)  # to leave the guess, tried in turn
 WORST = 0.3  # of the largest distance: spans farther away than that are divided
 FEWEST = 4  # points in a span that is divided
 FIRST = 6  # lines of a closed curve tried first
@@ -109,7 +112,7 @@ class _Task:
 
 def _fitted_open(data: Floats, tolerance: float, order: int, corners: list[int]) -> Fitted:
     data, corners = _with_edges_filled(data, corners, 2 * order)
-    u = _by_length(data)
+    u = parameters_by_length(data)
     at, first = np.unique(u[corners], return_index=True)
     inner = [corners[i] for i in first[(at > 0.0) & (at < 1.0)]]
     task = _Task(data, u, np.diff(u), (0, *inner, len(data) - 1))
@@ -123,11 +126,11 @@ def _fitted_open(data: Floats, tolerance: float, order: int, corners: list[int])
         if not len(more):
             break
         knots = np.sort(np.concatenate([knots, more]))
-    return _judged(curve, task)
+    return _judged(curve, task, tolerance)
 
 
 def _fitted_closed(data: Floats, tolerance: float, order: int) -> Fitted:
-    u = _by_length(np.concatenate([data, data[:1]]))
+    u = parameters_by_length(np.concatenate([data, data[:1]]))
     task = _Task(data, u[:-1], np.diff(u), closed=True)
     size = FIRST
     for _ in range(ROUNDS):
@@ -138,10 +141,22 @@ def _fitted_closed(data: Floats, tolerance: float, order: int) -> Fitted:
         # The distance falls with the power order + 1 of the number of lines.
         wanted = size * float(np.clip((distance / tolerance) ** (1.0 / (order + 1)), 1.1, 2.0))
         size = min(max(size + 1, round(wanted)), max(size + 1, len(data) // 2))
-    return _judged(curve, task)
+    return _judged(curve, task, tolerance)
 
 
-def _judged(curve: PlusCurve, task: _Task) -> Fitted:
+def _calmed(basis: BSpline, task: _Task, enough: float) -> PlusCurve | None:
+    """The curve that leaves its guess most unwillingly and is near enough; None if none is."""
+    for reluctance in RELUCTANCES:
+        curve = _solved(basis, task, reluctance)
+        if _distances(curve, task).max() <= enough:
+            return curve
+    return None
+
+
+def _judged(curve: PlusCurve, task: _Task, tolerance: float) -> Fitted:
+    enough = max(tolerance, float(_distances(curve, task).max()))
+    assert isinstance(curve.basis, BSpline)
+    curve = _calmed(curve.basis, task, enough) or curve
     distance = _distances(curve, task)
     for _ in range(FEET):
         task = replace(task, u=_feet(curve, task))
@@ -160,8 +175,11 @@ def _fitted(basis: BSpline, task: _Task, tolerance: float) -> tuple[PlusCurve, _
     return curve, task
 
 
-def _solved(basis: BSpline, task: _Task) -> PlusCurve:
-    """The curve of least squares for the parameters as they are."""
+def _solved(basis: BSpline, task: _Task, reluctance: float | None = None) -> PlusCurve:
+    """The curve of least squares for the parameters as they are.
+
+    With a reluctance the lines stay nearer to their guess, and the curve farther from the points.
+    """
     reach = _widths(basis)
     guess = _guess(basis, task, reach)
     pinned = [int(np.abs(basis.nodes - task.u[index]).argmin()) for index in task.pinned]
@@ -171,11 +189,11 @@ def _solved(basis: BSpline, task: _Task) -> PlusCurve:
     held = np.zeros(matrix.count, dtype=np.bool_)
     held[2 * np.array(pinned, dtype=np.intp)] = True
     free = replace(matrix, entries=np.where(held[matrix.columns], 0.0, matrix.entries))
-    solve = normal_solver(free)
+    solve = normal_solver(free) if reluctance is None else normal_solver(free, reluctance)
     unknowns = guess.reshape(matrix.count, -1)
-    for _ in range(REFINEMENTS):
+    for _ in range(REFINEMENTS if reluctance is None else 1):
         unknowns = unknowns + solve(free.transposed_times(task.data - matrix @ unknowns))
-    return _curve(basis, unknowns[::2], unknowns[1::2] / reach[:, None])
+    return curve_of_gradients(basis, unknowns[::2], unknowns[1::2] / reach[:, None])
 
 
 def _matrix(basis: BSpline, u: Floats, reach: Floats) -> LocalMatrix:
@@ -191,7 +209,7 @@ def _matrix(basis: BSpline, u: Floats, reach: Floats) -> LocalMatrix:
     return LocalMatrix(columns.reshape(shape), entries.reshape(shape), 2 * basis.size, basis.closed)
 
 
-def _curve(basis: BSpline, points: Floats, gradients: Floats) -> PlusCurve:
+def curve_of_gradients(basis: Basis, points: Floats, gradients: Floats) -> PlusCurve:
     """The curve with half the length of its polygon for s, as the scale of directions."""
     still = PlusCurve(basis, ControlLines.of(points, gradients))
     s = polygon_length(still) / 2.0 or 1.0
@@ -232,10 +250,10 @@ def _corrected(curve: PlusCurve, task: _Task) -> _Task:
     """The task with parameters moved toward the feet of the points, in the same order."""
     u = _feet(curve, task)
     if task.closed:
-        steps = _tamed(np.diff(u, append=u[0] + 1.0), task.steps)
+        steps = tamed(np.diff(u, append=u[0] + 1.0), task.steps)
         return replace(task, u=u[0] + np.concatenate([[0.0], np.cumsum(steps[:-1])]))
     for start, stop in pairwise(task.pinned):
-        steps = _tamed(np.diff(u[start : stop + 1]), task.steps[start:stop])
+        steps = tamed(np.diff(u[start : stop + 1]), task.steps[start:stop])
         u[start + 1 : stop] = u[start] + np.cumsum(steps[:-1])
     return replace(task, u=u)
 
@@ -251,7 +269,7 @@ def _feet(curve: PlusCurve, task: _Task) -> Floats:
     return u
 
 
-def _tamed(steps: Floats, usual: Floats) -> Floats:
+def tamed(steps: Floats, usual: Floats) -> Floats:
     """Steps of the parameter, none much shorter or longer than by length, with the same sum.
 
     The feet on a curve that is still far away would bring whole stretches of points together.
@@ -284,7 +302,7 @@ def _divided(breaks: Floats, u: Floats, distance: Floats, tolerance: float) -> F
     return np.array(knots)
 
 
-def _by_length(data: Floats) -> Floats:
+def parameters_by_length(data: Floats) -> Floats:
     """(m,) parameters from 0 to 1, even in the length of the chain."""
     lengths = np.linalg.norm(np.diff(data, axis=0), axis=1)
     so_far = np.concatenate([[0.0], np.cumsum(lengths)])

@@ -51,8 +51,11 @@ class LocalMatrix:
         return np.stack(rows, axis=1)
 
 
-def normal_solver(matrix: LocalMatrix) -> Solver:
-    """The function that solves (M^T M + a I) x = y for y (count, dim)."""
+def normal_solver(matrix: LocalMatrix, reluctance: float = RELUCTANCE) -> Solver:
+    """The function that solves (M^T M + a I) x = y for y (count, dim).
+
+    a is the `reluctance` times the largest diagonal entry.
+    """
     rows, columns = np.broadcast_arrays(matrix.columns[:, :, None], matrix.columns[:, None, :])
     product = _Entries(
         rows.ravel(),
@@ -60,7 +63,7 @@ def normal_solver(matrix: LocalMatrix) -> Solver:
         (matrix.entries[:, :, None] * matrix.entries[:, None, :]).ravel(),
     )
     diagonal = product.sums(product.rows == product.columns, product.rows, matrix.count)
-    damping = RELUCTANCE * (float(diagonal.max()) or 1.0)
+    damping = reluctance * (float(diagonal.max()) or 1.0)
     width = matrix.columns.shape[1]
     if matrix.count <= max(DENSE_UP_TO, 4 * width):
         inverse = np.linalg.inv(product.corner(0, 0, matrix.count, matrix.count, damping))
