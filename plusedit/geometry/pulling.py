@@ -9,6 +9,7 @@ where a gradient counts as what it moves its own line by over the spacing h of t
 points, or only gradients, may change as well: T has the other sum no more.
 """
 
+from collections.abc import Callable
 from typing import Literal, get_args
 
 import numpy as np
@@ -28,7 +29,13 @@ FAINT = 1e-6  # of the largest share: a line with less stays as it is
 LEAST = 1e-12  # share of the gradients: below, they have no hold on the point
 
 
-def pulled(geometry: Linear, place: Place, to: ArrayLike, change: Change = "points") -> Linear:
+def pulled(
+    geometry: Linear,
+    place: Place,
+    to: ArrayLike,
+    change: Change = "points",
+    keep: Callable[[Linear], Linear] | None = None,
+) -> Linear:
     """The shape whose point at `place` is `to` (dim,), with the least change of its data.
 
     Parameters
@@ -38,6 +45,9 @@ def pulled(geometry: Linear, place: Place, to: ArrayLike, change: Change = "poin
     change
         "points": the control points move, automatic directions follow them. "gradients": the
         directions alone change, and stay so. "both": both do.
+    keep
+        What is done to the shape after the pull, such as bringing it back to its constraints. The
+        point comes to `to` all the same, or as near as what is kept lets it.
 
     Raises ValueError, in a sentence for people, where nothing that may change moves that point,
     as at the end of an open curve, which is held by its control point alone.
@@ -46,6 +56,20 @@ def pulled(geometry: Linear, place: Place, to: ArrayLike, change: Change = "poin
         raise ValueError(f"change: expected one of {get_args(Change)}, got {change!r}")
     target = frozen(to, shape=(geometry.dimension,), name="to")
     shares = influence(geometry, place)
+    if keep is None:
+        return _once(geometry, place, target, change, shares)
+    start = _at(geometry, place)
+
+    def kept(by: Floats) -> Linear:
+        return keep(_once(geometry, place, start + by, change, shares))
+
+    return _met(kept, place, target, target - start)[0]
+
+
+def _once(
+    geometry: Linear, place: Place, target: Floats, change: Change, shares: Influence
+) -> Linear:
+    """The shape pulled, with nothing to keep."""
     if change == "points":
         return _by_points(geometry, place, target, shares)
     if geometry.s == 0.0:
@@ -55,34 +79,55 @@ def pulled(geometry: Linear, place: Place, to: ArrayLike, change: Change = "poin
     return _by_gradients(geometry, place, target, shares, with_points=change == "both")
 
 
-def _by_points(geometry: Linear, place: Place, target: Floats, shares: Influence) -> Linear:
-    net, start = geometry.net, geometry.net.control_points
-    row = _cut(shares.values)
-    row = row / (row @ shares.values)
-    near = NEAR * (float(np.abs(start).max()) + float(np.abs(target).max()))
-    miss = target - _at(geometry, place)
-    if np.abs(miss).max() <= near:
-        return geometry
-    # Automatic directions turn with the points, so the shape is not linear in these any more:
-    # Broyden's method, which begins as if it were, takes a few steps to what is exact.
-    change, inverse = np.zeros_like(miss), np.eye(len(miss))
+def _met(
+    make: Callable[[Floats], Linear], place: Place, target: Floats, by: Floats
+) -> tuple[Linear, bool]:
+    """The shape made by the vector (dim,) that brings its point to the target, and whether it does.
+
+    Broyden's method, which begins as if the point moved by what it is pulled by. Where no vector
+    is found, the shape whose point comes nearest.
+    """
+    change, inverse = by, np.eye(len(by))
+    best = moved = make(change)
+    least = np.inf
+    miss = target - _at(moved, place)
     for _ in range(STEPS):
+        size = float(np.abs(miss).max())
+        if size < least:
+            best, least = moved, size
+        near = NEAR * (float(np.abs(moved.net.control_points).max()) + np.abs(target).max())
+        if size <= near:
+            return moved, True
         step = inverse @ miss
-        change = change + step
-        moved = geometry.with_net(net.with_control_points(start + np.outer(row, change)))
+        moved = make(change + step)
         left = target - _at(moved, place)
-        if np.abs(left).max() <= near:
-            return moved
         seen = inverse @ (miss - left)
         along = float(step @ seen)
         if not np.isfinite(left).all() or along == 0.0:
             break
         inverse = inverse + np.outer(step - seen, step @ inverse) / along
-        miss = left
-    kept = net.with_vectors(geometry.vectors, np.zeros_like(net.automatic_vectors))
-    return geometry.with_net(
-        kept.with_control_points(start + np.outer(row, target - _at(geometry, place)))
+        change, miss = change + step, left
+    return best, False
+
+
+def _by_points(geometry: Linear, place: Place, target: Floats, shares: Influence) -> Linear:
+    net, start = geometry.net, geometry.net.control_points
+    row = _cut(shares.values)
+    row = row / (row @ shares.values)
+    by = target - _at(geometry, place)
+    if not by.any():
+        return geometry
+    # Automatic directions turn with the points, so the shape is not linear in these any more.
+    moved, is_there = _met(
+        lambda change: geometry.with_net(net.with_control_points(start + np.outer(row, change))),
+        place,
+        target,
+        by,
     )
+    if is_there:
+        return moved
+    kept = net.with_vectors(geometry.vectors, np.zeros_like(net.automatic_vectors))
+    return geometry.with_net(kept.with_control_points(start + np.outer(row, by)))
 
 
 def _by_gradients(

@@ -2,8 +2,11 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from plusedit.commands.constraints import Constrain
 from plusedit.document.design import Design
 from plusedit.document.shape import Shape, ShapeId
+from plusedit.geometry.constraints import Wish
+from plusedit.geometry.keeping import holds
 from plusedit.geometry.making.primitives import sheet
 from plusedit.geometry.nearest import nearest_parameter
 from plusedit.interaction.tool import Held, Pointer
@@ -106,3 +109,13 @@ def test_the_wave_is_the_shape_that_is_selected_by_a_pull():
     hand = Hand(tool="pull")
     hand.click(hand.curve().at([0.4])[0])
     assert hand.session.selection.shapes == {WAVE}
+
+
+def test_a_curve_that_keeps_something_follows_the_pointer_all_the_same():
+    hand = Hand(tool="pull")
+    hand.session.commit(Constrain({WAVE: Wish("passing", (1, 3))}))
+    hand.session.commit(Constrain({WAVE: Wish("tangent_start")}))
+    place = hand.curve().at([0.45])[0]
+    hand.drag(place, np.add(place, (0.2, 0.4)), moves=6)
+    assert_allclose(hand.curve().at([0.45])[0], np.add(place, (0.2, 0.4)), atol=NEAR)
+    assert all(holds(hand.curve(), wish) for wish in hand.session.design[WAVE].constraints)
