@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtGui import QAction
 
 from plusedit.app.actions import Entry
+from plusedit.app.facts import TITLE
 from plusedit.app.toolbar import tools_in_order
 from plusedit.interaction.actions import EditAction, edit_actions
 from plusedit.interaction.gesture import FIRST_TOOL
@@ -233,6 +234,8 @@ def _menu_of(group: str) -> str:
 def help_entries(window: "MainWindow") -> Iterator[Entry]:
     """Help and the start page."""
     yield Entry("help", "Keys and mouse", "Help", window.side.show_help, ("F1",), 0, "help")
+    yield Entry("facts", TITLE, "Help", window.side.show_facts, (), 0,
+                hint="Each with a design that proves it")  # fmt: skip
     yield Entry("start_page", "Start page", "Help", window.show_start_page, (), 0, "home")
     yield Entry("about", "About PlusEdit", "Help", window.side.show_about, (), 1,
                 role=QAction.MenuRole.AboutRole)  # fmt: skip

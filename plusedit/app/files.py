@@ -87,7 +87,7 @@ class Files:
             return False
         self.show(loaded.design, path)
         self._remember(path)
-        self.notes.emit(path.name, loaded.notes)
+        self.notes.emit(path.name, (*about(loaded.design, path), *loaded.notes))
         return True
 
     def _open_mesh(self, path: Path) -> bool:
@@ -254,6 +254,12 @@ class Files:
         path = self.folder / f"{stem_of(self.name)}{suffix}"
         # What a mesh was read from is not what its surface is meant to be written over.
         return path.with_stem(f"{path.stem} smooth") if path == self.path else path
+
+
+def about(design: Design, path: Path) -> tuple[str, ...]:
+    """What a shipped design shows, where it says so."""
+    words = design.extra.get("about")
+    return (words,) if is_shipped(path) and isinstance(words, str) else ()
 
 
 def keeps_all(path: Path) -> bool:

@@ -1,11 +1,14 @@
 """Help: what plus curves and surfaces are, and what mouse and keys do; keys as they are now."""
 
+from collections.abc import Callable
 from html import escape
 from itertools import groupby
+from pathlib import Path
 
 from PySide6.QtWidgets import QDialog, QTextBrowser, QVBoxLayout, QWidget
 
 from plusedit.app.actions import ActionTable
+from plusedit.app.facts import ANCHOR, facts_page, follow
 
 IDEA = """
 <h2>What a plus curve is</h2>
@@ -76,11 +79,15 @@ MOUSE = (
 class HelpWindow(QDialog):
     """A page to read beside the work; it does not block the window."""
 
-    def __init__(self, table: ActionTable, parent: QWidget | None) -> None:
+    def __init__(
+        self, table: ActionTable, parent: QWidget | None, open_file: Callable[[Path], object]
+    ) -> None:
+        """`open_file` is for links to designs."""
         super().__init__(parent)
         self.setWindowTitle("PlusEdit help")
         self.page = QTextBrowser()
-        self.page.setOpenExternalLinks(False)
+        self.page.setOpenLinks(False)
+        self.page.anchorClicked.connect(lambda url: follow(url.toString(), open_file))
         self.page.setAccessibleName("help")
         self.page.document().setDocumentMargin(24)
         self.page.setHtml(page_of(table))
@@ -89,10 +96,14 @@ class HelpWindow(QDialog):
         column.addWidget(self.page)
         self.resize(620, 680)
 
+    def show_facts(self) -> None:
+        """Turn to what the paper says, and what is true."""
+        self.page.scrollToAnchor(ANCHOR)
+
 
 def page_of(table: ActionTable) -> str:
     """The whole help as HTML."""
-    return f"{IDEA}<h2>Mouse</h2>{rows_of(MOUSE)}<h2>Keys</h2>{keys_of(table)}"
+    return f"{IDEA}<h2>Mouse</h2>{rows_of(MOUSE)}<h2>Keys</h2>{keys_of(table)}{facts_page()}"
 
 
 def rows_of(rows: "tuple[tuple[str, str], ...] | list[tuple[str, str]]") -> str:

@@ -49,8 +49,15 @@ class SideWindows:
         """Mouse, keys, and what a plus curve is, in a window that may stay open."""
         from plusedit.app.help_window import HelpWindow
 
-        self.help = HelpWindow(self._window.actions_table, self._window)
+        window = self._window
+        self.help = HelpWindow(window.actions_table, window, window.files.open)
         self.help.show()
+
+    def show_facts(self) -> None:
+        """Where the help tells what the paper has not quite right."""
+        self.show_help()
+        if self.help is not None:
+            self.help.show_facts()
 
     def keep_mesh_report(self, reading: "MeshReading") -> None:
         """Have the report of that mesh at hand; where one is shown, it is this one now."""

@@ -85,17 +85,18 @@ class Card(QFrame):
 
 def words_of(path: Path) -> str:
     """The name of a shipped file as words."""
-    stem = path.name.split(".")[0].replace("_", " ").replace("-", " ")
+    stem = path.name.split(".")[0].removeprefix(FACT).replace("_", " ").replace("-", " ")
     return stem[:1].upper() + stem[1:]
 
 
+FACT = "fact_"  # before the names of designs that prove what the paper has not quite right
 SURFACE, MESH = b'"kind": "surface"', b'"kind": "mesh"'  # in a file that has one
 
 
 def sections() -> Iterator[tuple[str, list[Path]]]:
     """The shipped designs by what they are made of, and the figures of the paper."""
     found: dict[str, list[Path]] = {
-        name: [] for name in ("Surfaces", "Meshes", "Curves", "Figures of the paper")
+        name: [] for name in ("Surfaces", "Meshes", "Curves", "Figures of the paper", "Facts")
     }
     for path in example_files():
         found[_section(path)].append(path)
@@ -105,6 +106,8 @@ def sections() -> Iterator[tuple[str, list[Path]]]:
 def _section(path: Path) -> str:
     if path.name.startswith("figure"):
         return "Figures of the paper"
+    if path.name.startswith(FACT):
+        return "Facts"
     data = path.read_bytes()
     if MESH in data:
         return "Meshes"

@@ -1,10 +1,11 @@
 """The table of actions: shortcuts, conflicts, the palette, preferences, help."""
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, QUrl
 from PySide6.QtGui import QKeySequence
 
 from plusedit.app.actions import belongs_to_view, conflicts
+from plusedit.app.facts import FACTS
 from plusedit.app.help_window import page_of
 from plusedit.app.palette import Palette, score
 from plusedit.app.preferences import Preferences
@@ -167,6 +168,16 @@ def test_help_shows_the_keys_as_they_are_now(window, table):
     assert "Ctrl+Shift+P" not in page_of(table)
     window.side.show_help()
     assert "plus curve" in window.side.help.page.toPlainText()
+    window.side.help.close()
+
+
+def test_the_help_opens_the_design_that_proves_a_fact(window, table):
+    table["facts"].trigger()
+    page = window.side.help.page
+    assert "what is true" in page.toPlainText()
+    page.anchorClicked.emit(QUrl(FACTS[1].design))
+    assert window.files.path == FACTS[1].path
+    assert "cusp" in window.notes.text.text()
     window.side.help.close()
 
 
