@@ -69,7 +69,7 @@ def scene_items(
     overlays = chain(
         design_overlay_items(design, camera, options, selection) if only is None else (),
         overlay_items(design, shown, camera, options, selection),
-        overlay_items(design, meshes, camera, options, selection),
+        overlay_items(design, meshes, camera, options, selection, wait=wait),
     )
     shapes = (
         item

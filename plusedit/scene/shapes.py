@@ -7,10 +7,11 @@ import numpy as np
 
 from plusedit.document.design import Design
 from plusedit.document.selection import NOTHING_SELECTED, Selection
-from plusedit.document.shape import PlusGeometry, Shape, ShapeId
+from plusedit.document.shape import Geometry, PlusGeometry, Shape, ShapeId
 from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.mesh.mesh_surface import MeshSurface
 from plusedit.geometry.surface import PlusSurface
+from plusedit.scene.beside import findings, known_findings
 from plusedit.scene.camera import Camera
 from plusedit.scene.control_lines import control_line_items
 from plusedit.scene.control_planes import control_plane_items
@@ -22,7 +23,7 @@ from plusedit.scene.handles import faces_handled, handle_shapes
 from plusedit.scene.isolines import isoline_items, isolines
 from plusedit.scene.items import Caption, Item, Label, Legend, Mesh, Patch, Polyline, Segments
 from plusedit.scene.options import ViewOptions
-from plusedit.scene.overlays import Seen, in_order
+from plusedit.scene.overlays import Numbers, Overlay, Seen, in_order
 from plusedit.scene.silhouettes import silhouette
 
 WIDTH = 2.0  # of a curve whose style says nothing
@@ -64,15 +65,32 @@ def overlay_items(
     camera: Camera,
     options: ViewOptions,
     selection: Selection = NOTHING_SELECTED,
+    *,
+    wait: bool = True,
 ) -> Iterator[Item]:
-    """What the overlays that are switched on draw about those shapes of a design."""
+    """What the overlays that are switched on draw about those shapes of a design.
+
+    Without `wait` of surfaces of meshes what is known by now.
+    """
     lines = selection.by_shape()
+    if wait and any(entry.name in options.overlays for entry in in_order()):
+        for *_, geometry in shown:
+            if isinstance(geometry, MeshSurface):
+                drawing_of(geometry)
     for entry in in_order():
         if entry.name in options.overlays:
             numbers = entry.numbers(options.settings)
             for shape_id, shape, geometry in shown:
-                seen = Seen(camera, lines.get(shape_id, ()), numbers, design)
+                found = _findings(entry, geometry, numbers, wait)
+                seen = Seen(camera, lines.get(shape_id, ()), numbers, design, found)
                 yield from entry.draw(shape, geometry, seen)
+
+
+def _findings(entry: Overlay, geometry: Geometry, numbers: Numbers, wait: bool) -> object:
+    """What the overlay knows of a mesh that takes a while to find."""
+    if not entry.finds or not isinstance(geometry, MeshSurface):
+        return None
+    return (findings if wait else known_findings)(entry, geometry, numbers)
 
 
 def design_overlay_items(

@@ -108,7 +108,9 @@ def space_items(
         overlays = chain(
             design_overlay_items(design, camera, options, selection) if only is None else (),
             overlay_items(design, shown, camera, options, selection),
-            overlay_items(design, shown_meshes(design, only), camera, options, selection),
+            overlay_items(
+                design, shown_meshes(design, only), camera, options, selection, wait=wait
+            ),
         )
         shapes = (
             item

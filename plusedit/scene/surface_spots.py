@@ -15,6 +15,7 @@ from plusedit.geometry.mesh.mesh_surface import MeshSurface
 from plusedit.geometry.surface import PlusSurface
 from plusedit.scene.camera import Camera
 from plusedit.scene.drawn_mesh import AT_ONCE, NEAR, WIDE
+from plusedit.scene.mesh_drawing import DrawnNet, MeshDrawing
 from plusedit.scene.overlays import Setting
 from plusedit.scene.silhouettes import lifted
 from plusedit.scene.space_camera import SpaceCamera
@@ -24,8 +25,9 @@ MEASURED = 49  # samples each way by which distances on a surface are judged
 THINNEST = 5  # halvings of the spots in a row
 MOST = 400  # spots in a row
 
-Faces: TypeAlias = NDArray[np.intp]
-_FACES: "WeakKeyDictionary[Foundation, dict[float, Faces]]" = WeakKeyDictionary()
+Rows: TypeAlias = NDArray[np.intp]
+_FACES: "WeakKeyDictionary[Foundation, dict[float, Rows]]" = WeakKeyDictionary()
+_VERTICES: "WeakKeyDictionary[DrawnNet, dict[float, Rows]]" = WeakKeyDictionary()
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,7 +95,7 @@ def spots_on_mesh(surface: MeshSurface, density: float, *, highest: int) -> Spot
     return Spots(found, sides_of_faces(surface, faces), step)
 
 
-def sides_of_faces(surface: MeshSurface, faces: Faces) -> Floats:
+def sides_of_faces(surface: MeshSurface, faces: Rows) -> Floats:
     """(k,) 1, or -1 where the front of a face looks against S_u x S_v."""
     planes = surface.foundation.planes
     across = np.cross(planes.gradients_u[faces], planes.gradients_v[faces])
@@ -101,19 +103,31 @@ def sides_of_faces(surface: MeshSurface, faces: Faces) -> Floats:
     return np.where(fronts < 0.0, -1.0, 1.0)
 
 
-def faces_apart(foundation: Foundation, density: float) -> Faces:
+def faces_apart(foundation: Foundation, density: float) -> Rows:
     """One face in each of the cubes that divide the longest extent of a mesh so many times."""
     kept = _FACES.setdefault(foundation, {})
     if density not in kept:
         used = foundation.planes.used
-        points = foundation.planes.points[used]
-        low, extent = points.min(axis=0), float(np.ptp(points, axis=0).max()) or 1.0
-        cubes = np.floor((points - low) / extent * density).astype(np.int64)
-        wide = int(density) + 2
-        _, first = np.unique(cubes @ np.array([wide * wide, wide, 1]), return_index=True)
         kept.clear()
-        kept[density] = used[first]
+        kept[density] = used[_apart(foundation.planes.points[used], density)]
     return kept[density]
+
+
+def vertices_apart(drawing: MeshDrawing, density: float) -> Rows:
+    """One of the points that are drawn in each such cube; the same as long as the net is."""
+    kept = _VERTICES.setdefault(drawing.net, {})
+    if density not in kept:
+        kept.clear()
+        kept[density] = _apart(drawing.points, density)
+    return kept[density]
+
+
+def _apart(points: Floats, density: float) -> Rows:
+    low, extent = points.min(axis=0), float(np.ptp(points, axis=0).max()) or 1.0
+    cubes = np.floor((points - low) / extent * density).astype(np.int64)
+    wide = int(density) + 2
+    _, first = np.unique(cubes @ np.array([wide * wide, wide, 1]), return_index=True)
+    return np.asarray(first, dtype=np.intp)
 
 
 def in_front(points: Floats, camera: Camera) -> Floats:

@@ -8,6 +8,7 @@ first; of what was wished for meanwhile only what is still drawn is found.
 from dataclasses import dataclass
 from threading import Thread
 from time import perf_counter
+from typing import TypeAlias
 from weakref import WeakSet
 
 from PySide6.QtCore import QObject, QTimer
@@ -15,17 +16,21 @@ from PySide6.QtCore import QObject, QTimer
 from plusedit.document.session import Session
 from plusedit.events import Event
 from plusedit.geometry.mesh.mesh_surface import MeshSurface
+from plusedit.scene.beside import findings, has_findings
 from plusedit.scene.coloring import coloring_overlay, has_values, mesh_values
 from plusedit.scene.drawn_deviation import drawn_deviation, known_deviation
 from plusedit.scene.drawn_mesh import known_drawing
 from plusedit.scene.mesh_drawing import MeshDrawing
 from plusedit.scene.options import ViewOptions
-from plusedit.scene.overlays import Numbers, Overlay
+from plusedit.scene.overlays import Numbers, Overlay, in_order
 from plusedit.views.mesh_evaluation import MANY, TOGETHER, MeshEvaluation
 from plusedit.views.workers import start_worker
 
 GLANCE = 10  # milliseconds between looks whether a surface is done
 PAUSE = 120  # milliseconds without an edit, after which there is time
+
+Finding: TypeAlias = tuple[tuple[Overlay, Numbers], ...]
+"""What else overlays want to know, each with its settings."""
 
 
 @dataclass(eq=False)
@@ -38,14 +43,17 @@ class _Job:
     """what it is colored by, if by anything"""
     numbers: Numbers
     """its settings"""
+    finding: Finding
     has_failed: bool = False
 
     def do(self) -> None:
         """In a thread; what is found is kept with the drawing."""
         try:
-            drawn_deviation(self.surface, self.drawing)
             if self.entry is not None:
                 mesh_values(self.entry, self.surface, self.drawing, self.numbers)
+            for entry, numbers in self.finding:
+                findings(entry, self.surface, numbers)
+            drawn_deviation(self.surface, self.drawing)
         except (ValueError, MemoryError):
             self.has_failed = True
 
@@ -62,6 +70,7 @@ class MeshMeasuring(QObject):
         self._session = session
         self._entry: Overlay | None = None
         self._numbers: Numbers = {}
+        self._finding: Finding = ()
         self._job: _Job | None = None
         self._thread: Thread | None = None
         self._told = 0.0
@@ -84,6 +93,11 @@ class MeshMeasuring(QObject):
         entry = coloring_overlay(options.overlays)
         self._entry = entry if entry is not None and "mesh" in entry.colors else None
         self._numbers = {} if entry is None else entry.numbers(options.settings)
+        self._finding = tuple(
+            (each, each.numbers(options.settings))
+            for each in in_order()
+            if each.finds and each.name in options.overlays
+        )
         self._begin()
 
     def _begin(self) -> None:
@@ -105,8 +119,9 @@ class MeshMeasuring(QObject):
             if drawing is None or drawing in self._failed:
                 continue
             is_colored = self._entry is None or has_values(self._entry, drawing, self._numbers)
-            if known_deviation(drawing) is None or not is_colored:
-                return _Job(surface, drawing, self._entry, self._numbers)
+            is_found = all(has_findings(each, surface, by) for each, by in self._finding)
+            if known_deviation(drawing) is None or not is_colored or not is_found:
+                return _Job(surface, drawing, self._entry, self._numbers, self._finding)
         return None
 
     def _look(self) -> None:

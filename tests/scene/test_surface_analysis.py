@@ -6,18 +6,23 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from plusedit.document.design import Design
 from plusedit.document.shape import Shape
 from plusedit.geometry.arrays import unit
 from plusedit.geometry.bases.bernstein import Bernstein
 from plusedit.geometry.making.primitives import exact_sphere
 from plusedit.geometry.mesh.mesh_surface import MeshSurface
 from plusedit.geometry.surface_frames import principal_curvatures
+from plusedit.scene.beside import findings, has_findings
 from plusedit.scene.camera import PlaneCamera
 from plusedit.scene.coloring import span_of
 from plusedit.scene.drawn_mesh import drawing_of
 from plusedit.scene.items import Segments
+from plusedit.scene.options import ViewOptions
 from plusedit.scene.overlays import Coloring, Seen, overlays
+from plusedit.scene.overlays.principal import LARGEST
 from plusedit.scene.space_camera import SpaceCamera
+from plusedit.scene.space_scene import space_items
 from tests.geometry.mesh.mesh_surfaces import pillow
 from tests.geometry.mesh.mesh_surfaces import torus as torus_mesh
 from tests.geometry.test_surface_frames import cylinder, sphere, surface_of, torus
@@ -182,3 +187,31 @@ def test_spots_keep_their_distance_where_a_body_is_thin():
     apart[np.arange(len(apart)), np.arange(len(apart))] = np.inf
     nearest = apart.min(axis=1)
     assert nearest.min() > 0.3 * np.median(nearest)
+
+
+def scene_of(surface, wait):
+    design = Design({"body": Shape(surface, "Body")})
+    options = ViewOptions().with_overlay("principal", True)
+    return [
+        item
+        for item in space_items(design, CAMERA, options, wait=wait)
+        if isinstance(item, Segments) and item.color == LARGEST
+    ]
+
+
+def test_crosses_on_meshes_are_not_waited_for_and_stay_until_others_are_known():
+    surface = torus_mesh()
+    assert scene_of(surface, wait=False) == []
+    assert len(scene_of(surface, wait=True)) == 1
+    smoother = surface.with_smoothness(1.5)
+    before, after = scene_of(surface, wait=False)[0], scene_of(smoother, wait=False)[0]
+    assert_allclose(after.starts, before.starts)
+    assert np.abs(scene_of(smoother, wait=True)[0].starts - before.starts).max() > 1e-3
+
+
+def test_the_length_of_crosses_is_nothing_to_wait_for():
+    surface, entry = torus_mesh(), overlays["principal"]
+    numbers = entry.numbers({})
+    findings(entry, surface, numbers)
+    assert has_findings(entry, surface, {**numbers, "length": 50.0})
+    assert not has_findings(entry, surface, {**numbers, "density": 30.0})

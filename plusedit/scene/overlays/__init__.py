@@ -88,6 +88,8 @@ class Seen:
     """the numbers of the overlay, each by its name"""
     design: Design | None = None
     """what else there is, so that sizes may be the same for all of it"""
+    findings: object = None
+    """what was found beside of a mesh (`finding_of_meshes`); None while it is not known"""
 
 
 DrawCurve: TypeAlias = Callable[[Shape, PlusCurve, Seen], Iterable[Item]]
@@ -104,6 +106,7 @@ MeshValues: TypeAlias = (
     Callable[[MeshSurface, MeshDrawing], Floats]
     | Callable[[MeshSurface, MeshDrawing, Numbers], Floats]
 )
+FindOfMesh: TypeAlias = Callable[[MeshSurface, Numbers], object]
 StripeKind: TypeAlias = Literal["", "zebra", "reflection", "isophotes"]
 
 
@@ -149,6 +152,9 @@ class Overlay:
     _of_meshes: DrawMesh | None = field(default=None, init=False, repr=False)
     _surface_values: SurfaceValues | None = field(default=None, init=False, repr=False)
     _mesh_values: MeshValues | None = field(default=None, init=False, repr=False)
+    _find_of_mesh: FindOfMesh | None = field(default=None, init=False, repr=False)
+    finds_by: tuple[str, ...] = field(default=(), init=False)
+    """the settings that what is found of meshes depends on"""
 
     @property
     def takes(self) -> frozenset[Taken]:
@@ -176,6 +182,15 @@ class Overlay:
         """What it colors; nothing if it draws items alone."""
         values: dict[Taken, object] = {"surface": self._surface_values, "mesh": self._mesh_values}
         return frozenset(kind for kind, given in values.items() if given is not None)
+
+    @property
+    def finds(self) -> bool:
+        """Whether what it draws of meshes has to be found beside."""
+        return self._find_of_mesh is not None
+
+    def find_of_mesh(self, surface: MeshSurface, numbers: Numbers) -> object:
+        """What it needs to know to draw a mesh; takes its time, in whatever thread."""
+        return None if self._find_of_mesh is None else self._find_of_mesh(surface, numbers)
 
     @property
     def paints(self) -> bool:
@@ -253,6 +268,18 @@ class Overlay:
         """A decorator: draw surfaces of meshes like that."""
         self._of_meshes = draw
         return draw
+
+    def finding_of_meshes(self, *settings: str) -> Callable[[FindOfMesh], FindOfMesh]:
+        """A decorator: find that beside, by these settings; `Seen.findings` when meshes are drawn.
+
+        For what takes longer than a frame may.
+        """
+
+        def register(find: FindOfMesh) -> FindOfMesh:
+            self._find_of_mesh, self.finds_by = find, settings
+            return find
+
+        return register
 
     def of_designs(self, draw: DrawDesign) -> DrawDesign:
         """A decorator: draw all of a design like that, at once."""

@@ -9,9 +9,10 @@ from plusedit.geometry.arrays import Floats
 from plusedit.geometry.mesh.mesh_surface import MeshSurface
 from plusedit.geometry.surface import PlusSurface
 from plusedit.geometry.surface_frames import normals as unit_normals
+from plusedit.scene.drawn_mesh import drawing_of
 from plusedit.scene.items import Item, Markers, Segments
 from plusedit.scene.overlays import Seen, Setting, overlay
-from plusedit.scene.surface_spots import DENSITY, spots_on_mesh, spots_on_surface
+from plusedit.scene.surface_spots import DENSITY, spots_on_surface, vertices_apart
 
 COLOR = "accent"
 
@@ -35,10 +36,10 @@ def of_surface(shape: Shape, surface: PlusSurface, seen: Seen) -> Iterator[Item]
 
 @normals.of_meshes
 def of_mesh(shape: Shape, surface: MeshSurface, seen: Seen) -> Iterator[Item]:
-    """The same of a mesh, in the middles of some faces."""
-    spots = spots_on_mesh(surface, seen.settings["density"], highest=1)
-    points, by_u, by_v = spots.derivatives
-    yield from _hairs(points, spots.sides[:, None] * unit_normals(by_u, by_v), seen)
+    """The same of a mesh, at some of the points that are drawn."""
+    drawing = drawing_of(surface, wait=False)
+    chosen = vertices_apart(drawing, seen.settings["density"])
+    yield from _hairs(drawing.points[chosen], drawing.normals[chosen], seen)
 
 
 def _hairs(points: Floats, across: Floats, seen: Seen) -> Iterator[Item]:

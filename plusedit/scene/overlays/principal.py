@@ -4,7 +4,7 @@ The orange arm lies along the largest curvature, the blue and thin one along the
 maps color high and low values. Where a surface bends alike in all directions there is no cross.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 import numpy as np
 
@@ -42,10 +42,17 @@ def of_surface(shape: Shape, surface: PlusSurface, seen: Seen) -> Iterator[Item]
     yield from _crosses(spots_on_surface(surface, seen.settings["density"], highest=2), seen)
 
 
+@principal.finding_of_meshes("density")
+def spots_of_mesh(surface: MeshSurface, numbers: Mapping[str, float]) -> Spots:
+    """The middles of some faces."""
+    return spots_on_mesh(surface, numbers["density"], highest=2)
+
+
 @principal.of_meshes
 def of_mesh(shape: Shape, surface: MeshSurface, seen: Seen) -> Iterator[Item]:
-    """The same of a mesh, in the middles of some faces."""
-    yield from _crosses(spots_on_mesh(surface, seen.settings["density"], highest=2), seen)
+    """The same of a mesh, once they are known."""
+    if isinstance(seen.findings, Spots):
+        yield from _crosses(seen.findings, seen)
 
 
 def _crosses(spots: Spots, seen: Seen) -> Iterator[Item]:
