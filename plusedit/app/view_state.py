@@ -39,6 +39,7 @@ class ViewState:
         self._is_chosen = False
         """whether a person chose the panes for this design, or the design says which"""
         panes.camera_changed.connect(self._keep_step)
+        panes.setting_changed.connect(self.set_setting)
         panes.changed.listen(self.changed.emit)
         panes.is_animated = settings.animated
         panes.set_options(self._own())
@@ -129,6 +130,10 @@ class ViewState:
     def set_option(self, name: str, value: object) -> None:
         """Give one of the options a value."""
         self._switch(lambda options: replace(options, **{name: value}))  # type: ignore[arg-type]
+
+    def set_setting(self, name: str, value: float) -> None:
+        """Give an overlay a number, by "overlay.setting"."""
+        self._switch(lambda options: options.with_setting(name, value))
 
     def set_handles(self, handles: Handles) -> None:
         """Choose whose control lines are shown."""

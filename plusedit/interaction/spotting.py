@@ -21,11 +21,12 @@ from plusedit.interaction.places import in_space
 from plusedit.interaction.tool import REACH, Stage
 from plusedit.scene.camera import Camera, PlaneCamera
 from plusedit.scene.drawn import drawn
-from plusedit.scene.items import Item
+from plusedit.scene.items import Item, Markers
 from plusedit.scene.overlays import Seen, in_order
 from plusedit.scene.shapes import is_finite
 
 NEAR = 24.0  # pixels within which a curve counts as under the pointer
+MARK = 10.0  # pixels, of what is pointed at from elsewhere
 
 
 @dataclass(frozen=True)
@@ -48,6 +49,16 @@ def spot_items(spot: Spot, stage: Stage) -> Iterator[Item]:
                 seen = Seen(stage.camera, lines, numbers, stage.design)
                 items = entry.draw_place(shape, shape.geometry, spot.place, seen)
                 yield from filter(is_finite, items)
+
+
+def mark_items(spot: Spot, stage: Stage) -> Iterator[Item]:
+    """A mark at a spot that is pointed at from elsewhere."""
+    geometry = stage.design[spot.shape].plus if spot.shape in stage.design else None
+    if isinstance(geometry, PlusCurve):
+        yield Markers(geometry.at(spot.place), "circle", MARK, "hover", "canvas", 1.5)
+    elif geometry is not None:
+        points = geometry.derivatives_at([spot.place], highest=0)[0]
+        yield Markers(points, "circle", MARK, "hover", "canvas", 1.5)
 
 
 def is_followed(stage: Stage) -> bool:

@@ -8,7 +8,7 @@ from typing import Literal, TypeAlias, cast, get_args
 
 from plusedit.document.shape import Json, Tree
 from plusedit.scene.camera import LARGEST, SMALLEST, PlaneCamera, Projection
-from plusedit.scene.overlays import switched
+from plusedit.scene.overlays import overlays, switched
 from plusedit.scene.space_camera import LARGEST as LARGEST_HEIGHT
 from plusedit.scene.space_camera import SMALLEST as LEAST_HEIGHT
 from plusedit.scene.space_camera import SpaceCamera
@@ -50,8 +50,11 @@ class ViewOptions:
     """numbers of overlays that are not as usual, by "overlay.setting" """
 
     def with_setting(self, name: str, value: float) -> "ViewOptions":
-        """With another number of an overlay, by "overlay.setting"."""
-        return replace(self, settings=MappingProxyType({**self.settings, name: value}))
+        """With another number of an overlay, by "overlay.setting"; the usual one is not kept."""
+        settings = {**self.settings, name: value}
+        if value == _usual(name):
+            del settings[name]
+        return replace(self, settings=MappingProxyType(settings))
 
     def with_overlay(self, name: str, is_on: bool) -> "ViewOptions":
         """With that overlay switched on or off; only one of those that color surfaces is on."""
@@ -160,6 +163,13 @@ def _switch(view: Tree, name: str) -> bool:
     value = view.get(name)
     usual: bool = getattr(USUAL, name)
     return value if isinstance(value, bool) else usual
+
+
+def _usual(name: str) -> float | None:
+    """The usual number of an overlay, by "overlay.setting"; None if there is none such."""
+    owner, _, own = name.partition(".")
+    settings = overlays[owner].settings if owner in overlays else ()
+    return next((setting.usual for setting in settings if setting.name == own), None)
 
 
 def _settings(kept: Json) -> Mapping[str, float]:

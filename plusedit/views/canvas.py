@@ -21,6 +21,7 @@ from plusedit.views.ground import RULER, paint_marks
 from plusedit.views.notices import paint_empty, paint_readout
 from plusedit.views.painter import ItemPainter, painting
 from plusedit.views.plane_view import PlaneView
+from plusedit.views.settings_strip import EDGE
 from plusedit.views.strata import Look, Strata, beside_rulers
 
 
@@ -82,6 +83,9 @@ class PlaneCanvas(Editing[PlaneCamera], PlaneView):
     def redraw_meshes(self) -> None:
         self._strata.refresh(self._session.design)
         super().redraw_meshes()
+
+    def _strip_top(self) -> int:
+        return int(RULER) + EDGE if self._options.rulers else EDGE
 
     @property
     def _is_slow(self) -> bool:

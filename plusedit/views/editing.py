@@ -14,6 +14,7 @@ from plusedit.document.design import Design
 from plusedit.document.session import Session
 from plusedit.document.shape import ShapeId
 from plusedit.interaction.gesture import Gestures
+from plusedit.interaction.spotting import Spot, mark_items
 from plusedit.interaction.tool import Feedback, Held, Pointer
 from plusedit.scene.drawn_mesh import looks_alike
 from plusedit.scene.items import Item
@@ -21,6 +22,7 @@ from plusedit.scene.options import ViewOptions
 from plusedit.scene.theme import LIGHT, Theme
 from plusedit.views.navigation import C
 from plusedit.views.pointer import held_after, key_of, pointer_of
+from plusedit.views.settings_strip import SettingsStrip
 from plusedit.views.spots import Spots
 from plusedit.views.wayfinding import NOTCH, Wayfinding
 
@@ -34,6 +36,8 @@ class Editing(Wayfinding[C]):
     pointer_left = Signal()
     context_menu_requested = Signal(QPoint)
     """a place in the view, for the menu of what lies there"""
+    setting_changed = Signal(str, float)
+    """a number of an overlay, by "overlay.setting" """
 
     def _begin_editing(self, session: Session, gestures: Gestures) -> None:
         """To be called once the widget is made and finds its way."""
@@ -45,10 +49,13 @@ class Editing(Wayfinding[C]):
         self._is_moving = False
         """whether the view is on its way elsewhere, and drawing all takes long"""
         self._spots = Spots()
+        self._mark: Spot | None = None
         self._is_resting = True
         """whether neither the view nor the design has changed for a moment"""
         self._rest = QTimer(self, singleShot=True, interval=RESTS_AFTER)
         self._rest.timeout.connect(self._at_rest)
+        self._strip = SettingsStrip(self, self._strip_top)
+        self._strip.changed.connect(self.setting_changed)
         self.setMinimumSize(160, 120)
         deaf = [
             self._session.changed.listen(self._edited),
@@ -80,6 +87,7 @@ class Editing(Wayfinding[C]):
     def set_options(self, options: ViewOptions) -> None:
         """Show that besides the shapes."""
         self._options = self._gestures.options = options
+        self._strip.show_options(options)
         self.update()
 
     @property
@@ -117,6 +125,12 @@ class Editing(Wayfinding[C]):
         """Draw the same design anew: more is known of surfaces of meshes."""
         self.update()
 
+    def show_mark(self, spot: Spot | None) -> None:
+        """Mark a place of a shape that is pointed at elsewhere, or none."""
+        if spot != self._mark:
+            self._mark = spot
+            self.update()
+
     def may_navigate(self) -> bool:
         return not self._gestures.is_busy
 
@@ -139,11 +153,16 @@ class Editing(Wayfinding[C]):
         """Draw what the tool shows now."""
         self.update()
 
+    def _strip_top(self) -> int:
+        """Pixels from the upper edge that numbers of overlays leave free."""
+        raise NotImplementedError
+
     def _spotted(self) -> tuple[Item, ...]:
         """What overlays show at the point under the pointer."""
         stage = replace(self._gestures.stage(), design=self._session.design, camera=self.camera)
         at = None if self.is_panned else self._pointer
-        return self._spots.items(at, stage, is_busy=self._gestures.is_busy)
+        items = self._spots.items(at, stage, is_busy=self._gestures.is_busy)
+        return items if self._mark is None else (*items, *mark_items(self._mark, stage))
 
     def _at_rest(self) -> None:
         """There is time to draw all as well as can be, and to look what is under the pointer."""

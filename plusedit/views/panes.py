@@ -39,6 +39,8 @@ class Panes(QSplitter):
     """the coordinates under the pointer: (axis, value) for each that the view can tell"""
     pointer_left = Signal()
     camera_changed = Signal()
+    setting_changed = Signal(str, float)
+    """a number of an overlay was set in a view, by "overlay.setting" """
 
     def __init__(self, session: Session) -> None:
         super().__init__(Qt.Orientation.Horizontal)
@@ -212,6 +214,7 @@ class Panes(QSplitter):
         canvas.installEventFilter(self)
         canvas.pointer_left.connect(self.pointer_left)
         canvas.camera_changed.connect(self.camera_changed)
+        canvas.setting_changed.connect(self.setting_changed)
         canvas.context_menu_requested.connect(
             lambda at: self.context_menu_requested.emit(canvas.mapToGlobal(at))
         )

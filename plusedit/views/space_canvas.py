@@ -18,6 +18,7 @@ from plusedit.interaction.facets import point_of, surfaces_under
 from plusedit.interaction.gesture import Gestures
 from plusedit.interaction.picking import under
 from plusedit.interaction.tool import Pointer
+from plusedit.scene.legends import AXES
 from plusedit.scene.space_camera import SpaceCamera
 from plusedit.scene.space_framing import framed_in_space
 from plusedit.scene.space_scene import SpaceLayers, space_items
@@ -149,6 +150,9 @@ class SpaceCanvas(Editing[SpaceCamera], SpaceView):
             self._problem,
             is_empty=not len(design) and not self._feedback.items,
         )
+
+    def _strip_top(self) -> int:
+        return int(AXES)
 
     @property
     def _is_slow(self) -> bool:

@@ -1,0 +1,148 @@
+"""The numbers of the overlays that are on, in a corner of a view: set by dragging them sideways."""
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
+from PySide6.QtGui import QMouseEvent, QWheelEvent
+from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
+
+from plusedit.scene.options import ViewOptions
+from plusedit.scene.overlays import Setting, in_order
+from plusedit.views.fields import NumberField
+
+DOUBLES = 120.0  # pixels to the right by which a number becomes twice as large
+NOTCH = 1.1  # times as large for each notch of the wheel
+STARTS_AT = 3.0  # pixels; a press and release within them is a click, to type
+DIGITS = 3
+EDGE = 8  # pixels from the edges of the view
+WIDTH = 60  # pixels of a number
+NOTE = "Drag sideways or turn the wheel; click to type; double-click for the usual {usual:g}"
+
+
+class SettingField(NumberField):
+    """A positive number that is dragged in even ratios: so far to the right is twice as much."""
+
+    def __init__(self, setting: Setting, changed: Callable[[float], None]) -> None:
+        super().__init__(setting.title, self._take, digits=DIGITS)
+        self._setting, self._changed = setting, changed
+        self._held: tuple[QPointF, float] | None = None
+        """where the button went down, and the number then"""
+        self._is_dragged = False
+        self.setToolTip(NOTE.format(usual=setting.usual))
+        self.setCursor(Qt.CursorShape.SizeHorCursor)
+        self.setAlignment(Qt.AlignmentFlag.AlignRight)
+        self.setFixedWidth(WIDTH)
+        # Keys are the view's, unless someone means to type.
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        if self.hasFocus() or event.button() != Qt.MouseButton.LeftButton or self.value is None:
+            super().mousePressEvent(event)
+            return
+        self._held, self._is_dragged = (event.globalPosition(), self.value), False
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        if self._held is None:
+            super().mouseMoveEvent(event)
+            return
+        start, value = self._held
+        right = event.globalPosition().x() - start.x()
+        self._is_dragged = self._is_dragged or abs(right) >= STARTS_AT
+        if self._is_dragged:
+            self._take(value * 2.0 ** (right / DOUBLES))
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        was_held, self._held = self._held is not None, None
+        if not was_held:
+            super().mouseReleaseEvent(event)
+        elif not self._is_dragged:
+            self.setFocus(Qt.FocusReason.MouseFocusReason)
+            self.selectAll()
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        self._held = None
+        self._revert()
+        self.clearFocus()
+        self._take(self._setting.usual)
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        if turned := event.angleDelta().y():
+            self._change_by(turned / 120.0)
+        event.accept()
+
+    def _change_by(self, amount: float) -> None:
+        if self.value is not None:
+            self._finish()
+            self._take(self.value * NOTCH**amount)
+
+    def _take(self, value: float) -> str:
+        if value <= 0.0:
+            return "a number above 0 is needed"
+        value = min(max(value, self._setting.least), self._setting.most)
+        self.show_value(value)
+        self._changed(value)
+        return ""
+
+
+class SettingsStrip(QWidget):
+    """A row for each number; hidden while no overlay that is on has any."""
+
+    changed = Signal(str, float)
+    """"overlay.setting", and the number"""
+
+    def __init__(self, view: QWidget, top: Callable[[], int]) -> None:
+        super().__init__(view)
+        self._view, self._top = view, top
+        self._names: tuple[str, ...] = ()
+        self._fields: dict[str, SettingField] = {}
+        self._options = ViewOptions()
+        self._rows = QGridLayout(self)
+        self._rows.setContentsMargins(8, 4, 6, 4)
+        self._rows.setSpacing(4)
+        self.setProperty("framed", True)
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        self.setCursor(Qt.CursorShape.ArrowCursor)
+        self.setAccessibleName("numbers of overlays")
+        view.installEventFilter(self)
+        self.hide()
+
+    def show_options(self, options: ViewOptions) -> None:
+        """Show the numbers of the overlays that are on."""
+        self._options = options
+        entries = [entry for entry in in_order() if entry.name in options.overlays]
+        settings = {f"{o.name}.{s.name}": s for o in entries for s in o.settings}
+        if tuple(settings) != self._names:
+            self._names = tuple(settings)
+            self._fill(settings)
+        for entry in entries:
+            for name, value in entry.numbers(options.settings).items():
+                self._fields[f"{entry.name}.{name}"].show_value(value)
+        self.place()
+
+    def place(self) -> None:
+        """Take the upper right corner, if there is anything to show."""
+        self.setVisible(bool(self._names))
+        if self._names:
+            self.adjustSize()
+            self.move(self._view.width() - self.width() - EDGE, self._top())
+            self.raise_()
+
+    def _fill(self, settings: dict[str, Setting]) -> None:
+        while (item := self._rows.takeAt(0)) is not None:
+            if (widget := item.widget()) is not None:
+                widget.hide()
+                widget.deleteLater()
+        self._fields = {}
+        for row, (name, setting) in enumerate(settings.items()):
+            label, arrows = QLabel(setting.title), QLabel("↔")
+            for quiet in (label, arrows):
+                quiet.setProperty("quiet", True)
+            field = SettingField(setting, lambda value, name=name: self.changed.emit(name, value))  # type: ignore[misc]
+            self._fields[name] = field
+            for column, widget in enumerate((label, field, arrows)):
+                self._rows.addWidget(widget, row, column)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.Resize:
+            self.place()
+        return super().eventFilter(watched, event)

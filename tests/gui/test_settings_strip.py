@@ -1,0 +1,102 @@
+"""Numbers of overlays over the view: shown while they mean something, set by dragging."""
+
+import pytest
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QWheelEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+
+from plusedit.scene.options import options_of
+from plusedit.views.settings_strip import DOUBLES, NOTCH, SettingField, SettingsStrip
+from tests.gui.test_canvas import LEFT, move
+
+pytestmark = pytest.mark.gui
+
+
+@pytest.fixture
+def strip(window):
+    """The strip of the 2D view, with the numbers of combs."""
+    window.show_view()
+    window.view.toggle_overlay("comb")
+    return window.canvas.findChild(SettingsStrip)
+
+
+@pytest.fixture
+def scale(strip):
+    return strip.findChildren(SettingField)[0]
+
+
+def number(window):
+    return window.view.options.settings.get("comb.scale", 1.0)
+
+
+def dragged(field, right):
+    middle = field.rect().center()
+    QTest.mousePress(field, Qt.MouseButton.LeftButton, pos=middle)
+    move(field, middle + QPoint(right, 0), LEFT)
+    QTest.mouseRelease(field, Qt.MouseButton.LeftButton, pos=middle + QPoint(right, 0))
+
+
+def test_it_is_there_while_an_overlay_with_numbers_is_on(window, strip):
+    assert strip.isVisible()
+    window.view.toggle_overlay("comb")
+    assert not strip.isVisible()
+
+
+def test_it_keeps_to_the_corner_of_the_view(window, strip):
+    window.resize(1100, 700)
+    QApplication.processEvents()
+    assert window.canvas.rect().contains(strip.geometry())
+    assert strip.geometry().center().x() > window.canvas.width() / 2
+
+
+@pytest.mark.parametrize(("right", "times"), [(1.0, 2.0), (-1.0, 0.5), (2.0, 4.0)])
+def test_so_far_to_the_right_is_twice_as_much(window, scale, right, times):
+    dragged(scale, round(right * DOUBLES))
+    assert number(window) == pytest.approx(times)
+    assert scale.text() == f"{times:g}"
+
+
+def test_a_design_keeps_it(window, scale):
+    dragged(scale, round(DOUBLES))
+    kept = window.view.kept_with(window.session.design)
+    assert options_of(kept.view).settings == window.view.options.settings
+
+
+def test_the_wheel_changes_it_by_even_ratios(window, scale):
+    at = QPointF(scale.rect().center())
+    for turned in (120, 120, -120):
+        event = QWheelEvent(
+            at,
+            QPointF(scale.mapToGlobal(at.toPoint())),
+            QPoint(),
+            QPoint(0, turned),
+            Qt.MouseButton.NoButton,
+            Qt.KeyboardModifier.NoModifier,
+            Qt.ScrollPhase.NoScrollPhase,
+            False,
+        )
+        QApplication.sendEvent(scale, event)
+    assert number(window) == pytest.approx(NOTCH)
+
+
+def test_a_double_click_gives_the_usual_number_back(window, scale):
+    dragged(scale, 200)
+    QTest.mouseDClick(scale, Qt.MouseButton.LeftButton, pos=scale.rect().center())
+    assert "comb.scale" not in window.view.options.settings
+    assert scale.text() == "1"
+
+
+def test_a_click_lets_a_number_be_typed(window, scale):
+    QTest.mouseClick(scale, Qt.MouseButton.LeftButton, pos=scale.rect().center())
+    QTest.keyClicks(scale, "2*1.5")
+    QTest.keyClick(scale, Qt.Key.Key_Return)
+    assert number(window) == pytest.approx(3.0)
+
+
+def test_what_makes_no_sense_is_refused(window, scale):
+    QTest.mouseClick(scale, Qt.MouseButton.LeftButton, pos=scale.rect().center())
+    QTest.keyClicks(scale, "-2")
+    QTest.keyClick(scale, Qt.Key.Key_Return)
+    assert number(window) == 1.0
+    assert scale.text() == "1"
