@@ -34,13 +34,23 @@ class FitSource:
     """the largest distance, in the unit of the points"""
     closed: bool = False
     order: int = 4
+    corners: tuple[int, ...] = ()
+    """numbers of the points at which the curve has a corner"""
+
+    def within(self, tolerance: float) -> "FitSource":
+        """The same points with another tolerance."""
+        return replace(self, tolerance=tolerance)
 
     @cached_property
     def fitted(self) -> Fitted:
         """The curve. EditError, in a sentence, where there is none."""
         try:
             return fit_bspline_plus(
-                self.points, tolerance=self.tolerance, order=self.order, closed=self.closed
+                self.points,
+                tolerance=self.tolerance,
+                order=self.order,
+                closed=self.closed,
+                corners=self.corners,
             )
         except ValueError as error:
             raise EditError(str(error)) from error
@@ -54,6 +64,7 @@ class FitSource:
                 "tolerance": self.tolerance,
                 "closed": self.closed,
                 "order": self.order,
+                "corners": list(self.corners),
             }
         )
 
@@ -74,7 +85,17 @@ def fit_source(shape: Shape) -> FitSource | None:
         return None
     if points.ndim != 2 or len(points) < 2 or points.shape[1] != shape.curve.dimension:
         return None
-    return FitSource(points, float(tolerance), closed, order) if np.isfinite(points).all() else None
+    corners = _corners(kept.get("corners", []), len(points))
+    if corners is None or not np.isfinite(points).all():
+        return None
+    return FitSource(points, float(tolerance), closed, order, corners)
+
+
+def _corners(value: Json, count: int) -> tuple[int, ...] | None:
+    if not isinstance(value, list):
+        return None
+    found = tuple(number for number in value if type(number) is int and 0 <= number < count)
+    return found if len(found) == len(value) else None
 
 
 def fitted_shape(source: FitSource, name: str, style: Style | None = None) -> Shape:
@@ -125,3 +146,24 @@ class Refit(Command):
             design,
             {self.shape_id: replace(shape, geometry=made.geometry, extra=extra, constraints=())},
         )
+
+
+@dataclass(frozen=True, eq=False)
+class JoinFitted(Command):
+    """Put one fitted curve in the place of curves that meet end to end; it is selected then."""
+
+    ids: tuple[ShapeId, ...]
+    source: FitSource
+
+    @property
+    def label(self) -> str:
+        return f"Join {len(self.ids)} curves"
+
+    def apply(self, design: Design) -> Design:
+        shapes = [unlocked(design, shape_id) for shape_id in self.ids]
+        made = fitted_shape(self.source, shapes[0].name, shapes[0].style)
+        first, *others = self.ids
+        return with_shapes(design, {first: made}).without(*others)
+
+    def reselect(self, selection: Selection, old: Design, new: Design) -> Selection:
+        return Selection.of_shapes(self.ids[:1])

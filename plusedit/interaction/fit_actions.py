@@ -3,9 +3,10 @@
 import numpy as np
 
 from plusedit.commands.base import Command, Together
-from plusedit.commands.fitting import FitSource, Refit, fit_source
+from plusedit.commands.fitting import FitSource, JoinFitted, Refit, fit_source
 from plusedit.document.design import EditError
 from plusedit.geometry.arrays import Floats
+from plusedit.geometry.chaining import chained
 from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.tessellate import tessellation
 from plusedit.interaction.actions import EditAction
@@ -39,11 +40,27 @@ def fitted(stage: Stage, factor: float) -> Outcome:
         if known is None:
             source = sampled(stage.design.curve(shape_id))
         else:
-            source = FitSource(known.points, factor * known.tolerance, known.closed, known.order)
+            source = known.within(factor * known.tolerance)
         if float(np.ptp(source.points, axis=0).max()) == 0.0:
             raise EditError(f"{shape.name} is a single point: there is nothing to fit.")
         steps.append(Refit(shape_id, source))
     return steps[0] if len(steps) == 1 else Together(f"Fit {len(steps)} curves", tuple(steps))
+
+
+def joined(stage: Stage) -> Outcome:
+    """Fit one curve to all selected ones, which meet end to end."""
+    ids = curves_of(stage)
+    if len(ids) < 2:
+        raise EditError("Select two curves or more that meet end to end.")
+    curves = [stage.design.curve(shape_id) for shape_id in ids]
+    points = np.concatenate([curve.lines.points for curve in curves])
+    size = float(np.ptp(points, axis=0).max()) or 1.0
+    try:
+        chain = chained(curves, FINER * COARSE * size)
+    except ValueError as error:
+        raise EditError(str(error)) from error
+    source = FitSource(chain.points, COARSE * size, chain.closed, corners=chain.corners)
+    return JoinFitted(ids, source)
 
 
 ACTIONS = (
@@ -58,4 +75,5 @@ ACTIONS = (
         f"{MENU}/Fit",
         lambda stage: fitted(stage, LOOSER),
     ),
+    EditAction("join_fitted", "Join into one fitted curve", ("Ctrl+J",), f"{MENU}/Fit", joined),
 )

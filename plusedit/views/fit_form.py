@@ -56,7 +56,7 @@ class FitForm(QWidget):
             return ""
         if not value > 0.0:
             return "a tolerance is a length above 0"
-        wanted = FitSource(source.points, value, source.closed, source.order)
+        wanted = source.within(value)
         self.told.setText("Fitting …")
 
         def fit() -> str:

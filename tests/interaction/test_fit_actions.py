@@ -1,11 +1,15 @@
 """Curves are fitted anew from the menu."""
 
+from itertools import pairwise
+
 import numpy as np
+import pytest
 
 from plusedit.commands.fitting import fit_source
 from plusedit.document.design import Design
 from plusedit.document.selection import Selection
-from plusedit.document.shape import Shape
+from plusedit.document.shape import Shape, ShapeId
+from plusedit.geometry.bases.bernstein import Bernstein
 from plusedit.geometry.bases.bspline import BSpline
 from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.lines import ControlLines
@@ -71,3 +75,37 @@ def test_the_overlay_shows_the_points_and_tells_the_distances():
 
 def test_a_curve_that_was_not_fitted_has_no_points_to_show():
     assert not list(overlays["fit_residual"].draw(Shape(crowded(), "A"), crowded(), Seen(CAMERA)))
+
+
+def square(turned=()):
+    """The sides of a square as four curves, some of them the other way round."""
+    corners = [(0, 0), (2, 0), (2, 2), (0, 2), (0, 0)]
+    shapes = {}
+    for number, ends in enumerate(pairwise(corners)):
+        points = ends[::-1] if number in turned else ends
+        curve = PlusCurve(Bernstein(2), ControlLines.of(points), 0.0)
+        shapes[ShapeId(f"side-{number}")] = Shape(curve, f"Side {number}")
+    return Design(shapes)
+
+
+@pytest.mark.parametrize("turned", [(), (1,), (0, 2, 3)])
+def test_curves_that_meet_become_one_with_the_same_corners(turned):
+    found = Hand(square(turned))
+    found.session.select(Selection.of_shapes(found.session.design))
+    perform(found, "join_fitted")
+    ((shape_id, shape),) = found.session.design.shapes.items()
+    corners = np.array([(0, 0), (2, 0), (2, 2), (0, 2)], dtype=float)
+    assert residual(shape.curve, corners).largest < 1e-9
+    assert found.session.selection.shapes == {shape_id}
+    found.session.undo()
+    assert len(found.session.design) == 4
+
+
+def test_curves_that_do_not_meet_stay_as_they_are():
+    design = square()
+    found = Hand(design.without("side-1"))
+    before = found.session.design
+    found.session.select(Selection.of_shapes(["side-0", "side-2"]))
+    perform(found, "join_fitted")
+    assert found.session.design is before
+    assert "meet end to end" in found.errors[-1]
