@@ -17,6 +17,11 @@ class Event(Generic[*Arguments]):
         self._listeners.append(listener)
         return lambda: self._listeners.remove(listener)
 
+    @property
+    def is_heard(self) -> bool:
+        """Whether anyone listens, so that there is something to tell for."""
+        return bool(self._listeners)
+
     def emit(self, *arguments: *Arguments) -> None:
         """Tell all who listened when this began; one that raises keeps the rest from hearing."""
         for listener in tuple(self._listeners):

@@ -12,9 +12,11 @@ AREAS = {
     "left": Qt.DockWidgetArea.LeftDockWidgetArea,
     "right": Qt.DockWidgetArea.RightDockWidgetArea,
     "beside": Qt.DockWidgetArea.RightDockWidgetArea,
+    "below": Qt.DockWidgetArea.BottomDockWidgetArea,
 }
 WIDTHS = {"left": 272, "right": 264, "beside": 440}  # logical pixels at the first start
 HEIGHTS = {"outliner": 300, "lines_table": 300}
+HEIGHT_BELOW = 232
 STATE = 2  # version of the kept places of docks
 
 
@@ -25,6 +27,9 @@ class Docks:
         self._window = window
         self.by_name: dict[str, QDockWidget] = {}
         self._put_away: list[QDockWidget] = []
+        # What is below the views is as wide as they are: the sides keep their height.
+        window.setCorner(Qt.Corner.BottomLeftCorner, AREAS["left"])
+        window.setCorner(Qt.Corner.BottomRightCorner, AREAS["right"])
         self._state: QByteArray | None = None
         self._widths: dict[str, int] = {}
         """of docks beside the views when they were hidden"""
@@ -49,6 +54,9 @@ class Docks:
     def toggle(self, name: str) -> None:
         """Show a dock, or hide it."""
         dock = self.by_name[name]
+        if panels[name].area == "below":
+            self._toggle_below(dock)
+            return
         if panels[name].area != "beside":
             dock.setVisible(dock.isHidden())
             return
@@ -62,6 +70,12 @@ class Docks:
             others.append(dock)
             widths.append(self._widths.get(name, WIDTHS["beside"]))
         self._window.resizeDocks(others, widths, Qt.Orientation.Horizontal)
+
+    def _toggle_below(self, dock: QDockWidget) -> None:
+        others = [self.by_name[n] for n in self._of("below") if not self.by_name[n].isHidden()]
+        dock.setVisible(dock.isHidden())
+        if not dock.isHidden() and not others:
+            self._window.resizeDocks([dock], [HEIGHT_BELOW], Qt.Orientation.Vertical)
 
     def state(self) -> QByteArray:
         """Where docks and tool bars are, to be kept."""

@@ -49,6 +49,7 @@ from plusedit.views.icons import refresh_icons
 from plusedit.views.magnitude_bar import MagnitudeBar
 from plusedit.views.panels import panels
 from plusedit.views.panes import Panes
+from plusedit.views.pointer_link import PointerLink
 
 LONGEST = 48  # characters of what a menu says would be undone
 TYPED_INTO = (QLineEdit, QAbstractSpinBox, QTextEdit, QKeySequenceEdit)
@@ -76,6 +77,7 @@ class MainWindow(QMainWindow):
         self.clipboard = Clipboard(self.desk, self)
         self.remapping = Remapping(self.desk, self)
         self.magnitude = MagnitudeBar(self.desk)
+        self.link = PointerLink(self.desk, self.panes)
         self.side = SideWindows(self)
         self.notes, self.status = NotesBar(), Status(self.desk, self.panes)
         self.start_page = StartPage(self.files.open, self.flows.new, self.files.open)

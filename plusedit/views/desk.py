@@ -11,6 +11,8 @@ from plusedit.document.session import Edit, Session
 from plusedit.document.shape import PlusGeometry, ShapeId
 from plusedit.events import Event
 from plusedit.geometry.curve import PlusCurve
+from plusedit.interaction.spotting import Spot
+from plusedit.interaction.tool import Pointer, Stage
 from plusedit.scene.theme import LIGHT, Theme
 from plusedit.views.hands import Hands
 from plusedit.views.lengths import Lengths
@@ -32,6 +34,10 @@ class Desk:
         """the pointer came into a view of a panel, which takes keys"""
         self.map_asked: Event[ShapeId, MapRecord] = Event()
         """a mesh is to get the parameters of another map, which takes its time"""
+        self.pointer_moved: Event[Pointer | None, Stage] = Event()
+        """the pointer is there in the view in use, or in none; told while a panel listens"""
+        self.marked: Event[Spot | None] = Event()
+        """a panel points at a place of a shape, which views are to mark"""
         self.lengths = Lengths()
         self.theme: Theme = LIGHT
         self.theme_changed: Event[Theme] = Event()
@@ -68,6 +74,20 @@ class Desk:
         """The curves and surfaces among the selected shapes, back to front."""
         chosen = self.session.selection.shapes
         return {i: geometry for i, geometry in self.session.design.drawn() if i in chosen}
+
+    @property
+    def leading(self) -> tuple[ShapeId, PlusGeometry] | None:
+        """The curve or surface that a panel speaks of that shows one only.
+
+        That with the active control line, else the first selected, else the only one there is.
+        """
+        shapes = dict(self.session.design.drawn())
+        chosen = [i for i in shapes if i in self.session.selection.shapes]
+        active = self.session.selection.active
+        if active is not None and active.shape in shapes:
+            return active.shape, shapes[active.shape]
+        found = chosen if chosen or len(shapes) != 1 else [*shapes]
+        return (found[0], shapes[found[0]]) if found else None
 
     def _tried(self, act: Callable[[], None]) -> str:
         try:

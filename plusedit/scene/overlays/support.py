@@ -22,8 +22,8 @@ from plusedit.scene.items import Dash, Item, Markers, Polyline
 from plusedit.scene.overlays import Seen, overlay
 
 COLOR = "hover"
-THIN, THICK = 3.0, 15.0  # pixels, of the band where the share is small and where it is largest
-LEVELS = 12  # widths of it
+THIN, THICK = 3.0, 12.0  # pixels, of the band where the share is small and where it is largest
+LEVELS = 9  # widths of it
 SMALL = 0.01  # of the largest share, below which a line is taken not to act
 SMALL_OF_PLANE = 0.1  # the same of a plane, where the outline of all the surface would say nothing
 PER_LINE, FEWEST = 8, 128  # samples

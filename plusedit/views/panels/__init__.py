@@ -9,8 +9,8 @@ from PySide6.QtWidgets import QWidget
 from plusedit.registry import Registry
 from plusedit.views.desk import Desk
 
-Area: TypeAlias = Literal["left", "right", "beside"]
-"""Left or right of the views, or between the views and what is on the right."""
+Area: TypeAlias = Literal["left", "right", "beside", "below"]
+"""Left, right of or below the views, or between the views and what is on the right."""
 
 
 @dataclass(frozen=True)
