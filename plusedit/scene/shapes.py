@@ -94,12 +94,18 @@ def _findings(entry: Overlay, geometry: Geometry, numbers: Numbers, wait: bool) 
 
 
 def design_overlay_items(
-    design: Design, camera: Camera, options: ViewOptions, selection: Selection
+    design: Design,
+    camera: Camera,
+    options: ViewOptions,
+    selection: Selection,
+    *,
+    hurried: bool = False,
 ) -> Iterator[Item]:
-    """What they draw about the design as a whole."""
+    """What they draw about the design as a whole; `hurried` while an edit is going on."""
     for entry in in_order():
         if entry.name in options.overlays:
-            seen = Seen(camera, (), entry.numbers(options.settings), design)
+            numbers = entry.numbers(options.settings)
+            seen = Seen(camera, (), numbers, design, is_hurried=hurried)
             yield from entry.draw_design(design, selection.shapes, seen)
 
 

@@ -6,13 +6,24 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
+from plusedit.document.design import Design
 from plusedit.document.shape import Shape
 from plusedit.geometry.bases import families
 from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.lines import ControlLines
 from plusedit.scene.camera import AXES, PlaneCamera
 from plusedit.scene.drawn_mesh import drawing_of
-from plusedit.scene.items import Label, Markers, Mesh, Patch, Polygon, Polyline, Segments
+from plusedit.scene.items import (
+    Caption,
+    Label,
+    Legend,
+    Markers,
+    Mesh,
+    Patch,
+    Polygon,
+    Polyline,
+    Segments,
+)
 from plusedit.scene.overlays import Coloring, Seen, in_order, overlays
 from plusedit.scene.space_camera import SpaceCamera
 from plusedit.scene.theme import THEMES
@@ -61,6 +72,8 @@ def places(item):
             return [points]
         case Patch(surface, grid_u, grid_v):
             return [surface.sample(grid_u, grid_v).reshape(-1, 3)]
+        case Caption() | Legend():
+            return []
 
 
 def colors(item):
@@ -119,6 +132,31 @@ def test_it_draws_short_and_long_curves(name, family, size):
 
 
 @every_overlay
+def test_what_it_draws_about_a_design_or_at_a_place_is_somewhere(name):
+    entry = overlays[name]
+    shapes = [*(random_curve(kind) for kind in KINDS), a_surface(), a_hill()]
+    shapes += [random_curve("bspline", dimension=3)]
+    design = Design({str(place): Shape(g, f"shape {place}") for place, g in enumerate(shapes)})
+    for camera in (CAMERA, IN_SPACE):
+        for hurried in (True, False):
+            seen = Seen(camera, (), entry.numbers({}), design, is_hurried=hurried)
+            items = [*entry.draw_design(design, frozenset(["0"]), seen)]
+            for shape_id, shape in design.shapes.items():
+                place = (0.3,) if shape.curve is not None else (0.3, 0.4)
+                items += entry.draw_place(design[shape_id], shape.geometry, place, seen)
+            for item in items:
+                assert all(np.isfinite(rows).all() for rows in places(item))
+
+
+@every_overlay
+def test_it_has_nothing_to_say_of_nothing(name):
+    entry = overlays[name]
+    for camera in (CAMERA, IN_SPACE):
+        seen = Seen(camera, (), entry.numbers({}), Design())
+        assert not list(entry.draw_design(Design(), frozenset(), seen))
+
+
+@every_overlay
 def test_it_draws_a_curve_whose_points_coincide(name):
     curve = PlusCurve(families["bezier"].of_size(3), ControlLines.of(np.ones((3, 2))), 1.0)
     for item in drawn(name, curve):
@@ -153,7 +191,8 @@ def test_its_colors_are_in_every_theme(name, camera):
 
 @every_overlay
 def test_it_says_what_it_can_be_drawn_of(name):
-    assert overlays[name].takes
+    entry = overlays[name]
+    assert entry.takes or entry.is_of_designs or entry.follows_pointer
     assert "surface" in overlays[name].takes or not drawn(name, a_surface())
     assert "mesh" in overlays[name].takes or not drawn(name, a_hill())
 

@@ -1,0 +1,57 @@
+"""Marks at the inflections of curves, and where their curvature is extremal.
+
+A diamond where a plane curve changes from turning left to turning right, or back; a square where
+the curvature is larger or smaller than all about, with its value while there are few of them.
+"""
+
+from collections.abc import Iterator
+
+from plusedit.document.design import Design
+from plusedit.document.shape import Shape, ShapeId
+from plusedit.geometry.curve import PlusCurve
+from plusedit.scene.items import Caption, Item, Label, Markers, Row
+from plusedit.scene.overlays import Seen, overlay
+from plusedit.scene.turning_points import turning_points
+
+FEW = 16  # extrema of a curve up to which values stand beside them
+DIAMOND, SQUARE = 10.0, 7.0  # pixels
+WORDS = 10.0  # pixels, the height of letters
+ASIDE = (8.0, -6.0)  # pixels from a mark to its value
+
+extrema = overlay(
+    "extrema",
+    title="Inflections and extremal curvature",
+    order=111,
+    shortcut="Shift+X",
+    group="Curve analysis",
+)
+
+
+@extrema.of_curves
+def of_curve(shape: Shape, curve: PlusCurve, seen: Seen) -> Iterator[Item]:
+    """A diamond at each inflection, a square at each extremum of curvature."""
+    found = turning_points(curve)
+    if len(found.extrema):
+        yield Markers(found.extrema, "square", SQUARE, "v", "canvas", 1.0)
+    if len(found.inflections):
+        yield Markers(found.inflections, "diamond", DIAMOND, "hover", "canvas", 1.25)
+    if len(found.extrema) <= FEW:
+        for point, value in zip(found.extrema, found.curvatures.tolist(), strict=True):
+            yield Label(point, f"κ {value + 0.0:.3g}", "v", ASIDE, "left", WORDS)
+
+
+@extrema.of_designs
+def of_design(design: Design, chosen: frozenset[ShapeId], seen: Seen) -> Iterator[Item]:
+    """How many there are, on all curves that are seen."""
+    curves = [curve for shape_id, curve in design.curves() if design[shape_id].visible]
+    if curves:
+        found = [turning_points(curve) for curve in curves]
+        turns = sum(len(each.inflections) for each in found)
+        peaks = sum(len(each.extrema) for each in found)
+        yield Caption(
+            "Turning of curves",
+            (
+                Row("inflections (diamonds)", str(turns), "hover"),
+                Row("extremal curvature (squares)", str(peaks), "v"),
+            ),
+        )
