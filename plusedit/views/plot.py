@@ -43,7 +43,7 @@ class PlotView(QWidget):
         self.setAccessibleName(name)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setMouseTracking(True)
-        self.setMinimumSize(120, 90)
+        self.setMinimumSize(56, 90)
         self._draggable = draggable
         if draggable:
             self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
@@ -253,16 +253,21 @@ class PlotView(QWidget):
         painter.setFont(font_of(WORDS))
         metrics = QFontMetricsF(painter.font())
         painter.setPen(self._color("text"))
-        painter.drawText(QPointF(8.0, base), plot.title)
+        room = max(area.right() - 8.0, 1.0)
+        title = metrics.elidedText(plot.title, Qt.TextElideMode.ElideRight, room)
+        painter.drawText(QPointF(8.0, base), title)
         x = 8.0 + metrics.horizontalAdvance(plot.title) + 6.0
         painter.setPen(self._color("quiet"))
-        painter.drawText(QPointF(x, base), plot.unit)
+        if x + metrics.horizontalAdvance(plot.unit) <= area.right():
+            painter.drawText(QPointF(x, base), plot.unit)
         x += metrics.horizontalAdvance(plot.unit) + 8.0
         painter.setFont(font_of(NUMBERS))
         metrics = QFontMetricsF(painter.font())
         named = [line for line in plot.lines if line.name]
         widths = [SAMPLE + 5.0 + metrics.horizontalAdvance(line.name) + 10.0 for line in named]
         left = area.right() + 10.0 - sum(widths)
+        if left < area.left():
+            return
         if left < x:
             base = area.top() + 15.0
         for line, width in zip(named, widths, strict=True):

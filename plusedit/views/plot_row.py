@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QStackedLayout, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QStackedLayout, QVBoxLayout, QWidget
 
 from plusedit.views.live import quiet
 from plusedit.views.look import tabular
@@ -27,6 +27,9 @@ def stacked_plots(
     column.addLayout(row, 1)
     column.addWidget(numbers)
     sentence.setAlignment(Qt.AlignmentFlag.AlignCenter)
+    # Numbers that find no room must not make the panel wider than its plots.
+    numbers.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+    sentence.setMinimumWidth(1)
     stack = QStackedLayout(parent)
     for page in (inside, sentence):
         page.setProperty("panel", True)
