@@ -19,6 +19,7 @@ from plusedit.scene.camera import PlaneCamera
 from plusedit.scene.captions import in_corners
 from plusedit.scene.drawn_surface import surface_grids
 from plusedit.scene.items import Caption, Item, Legend
+from plusedit.scene.map_lines import map_items
 from plusedit.scene.mesh_shapes import mesh_items_in_plane
 from plusedit.scene.options import ViewOptions
 from plusedit.scene.shapes import (
@@ -67,7 +68,7 @@ def scene_items(
     """
     shown, meshes = shown_shapes(design, only), shown_meshes(design, only)
     overlays = chain(
-        design_overlay_items(design, camera, options, selection) if only is None else (),
+        _of_design(design, camera, options, selection, wait=wait) if only is None else (),
         overlay_items(design, shown, camera, options, selection),
         overlay_items(design, meshes, camera, options, selection, wait=wait),
     )
@@ -90,8 +91,20 @@ def scene_items(
 def design_items(
     design: Design, camera: PlaneCamera, options: ViewOptions, selection: Selection
 ) -> Layers:
-    """What overlays draw about a design as a whole, and nothing else."""
-    return _layers(design_overlay_items(design, camera, options, selection))
+    """What overlays draw about a design as a whole, and nothing else; of meshes what is known."""
+    return _layers(_of_design(design, camera, options, selection, wait=False))
+
+
+def _of_design(
+    design: Design,
+    camera: PlaneCamera,
+    options: ViewOptions,
+    selection: Selection,
+    *,
+    wait: bool,
+) -> Iterator[Item]:
+    yield from map_items(design, camera, options, wait=wait)
+    yield from design_overlay_items(design, camera, options, selection)
 
 
 def _layers(

@@ -15,7 +15,6 @@ import numpy as np
 from plusedit.document.design import Design
 from plusedit.document.selection import NOTHING_SELECTED, Selection
 from plusedit.document.shape import PlusGeometry, Shape, ShapeId
-from plusedit.geometry.arrays import Floats
 from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.surface import PlusSurface
 from plusedit.scene.arrows import direction_arrow
@@ -25,9 +24,6 @@ from plusedit.scene.coloring import (
     NO_TINTS,
     Tints,
     coloring_overlay,
-    known_values,
-    mesh_values,
-    surface_values,
     tinted,
 )
 from plusedit.scene.drawn_mesh import drawing_of
@@ -35,6 +31,7 @@ from plusedit.scene.drawn_surface import Grids, surface_grids
 from plusedit.scene.face_outlines import face_fill
 from plusedit.scene.gizmo import gizmo_items, gizmo_of
 from plusedit.scene.items import Caption, Item, Label, Legend, Mesh, Patch, Polygon
+from plusedit.scene.map_values import values_of
 from plusedit.scene.mesh_shapes import darker, mesh_items_in_space
 from plusedit.scene.options import ViewOptions
 from plusedit.scene.shapes import (
@@ -189,18 +186,8 @@ def _tints(
     entry = coloring_overlay(options.overlays)
     if entry is None:
         return NO_TINTS
-    numbers = entry.numbers(options.settings)
-    values: dict[ShapeId, Floats | None] = {}
-    for shape_id, _, geometry in shown_shapes(design, only):
-        if isinstance(geometry, PlusSurface):
-            grids = surface_grids(geometry, camera, draft=draft)
-            values[shape_id] = surface_values(entry, geometry, grids, numbers)
-    for shape_id, _, surface in shown_meshes(design, only) if not options.facets else ():
-        drawing = drawing_of(surface, wait=wait)
-        find = mesh_values if wait else known_values
-        values[shape_id] = find(entry, surface, drawing, numbers)
-    known = {i: found for i, found in values.items() if found is not None}
-    return tinted(entry, known, numbers)
+    known = values_of(entry, design, camera, options, draft=draft, wait=wait, only=only)
+    return tinted(entry, known, entry.numbers(options.settings))
 
 
 def is_opaque(item: Solid) -> bool:

@@ -88,6 +88,11 @@ class MeshMeasuring(QObject):
         """Whether something of what is drawn is still to be found."""
         return self._job is not None or self._rest.isActive() or self._wanted() is not None
 
+    @property
+    def serves_overlays(self) -> bool:
+        """Whether an overlay that is switched on draws what is found."""
+        return self._entry is not None or bool(self._finding)
+
     def set_options(self, options: ViewOptions) -> None:
         """Find what that shows."""
         entry = coloring_overlay(options.overlays)

@@ -205,9 +205,10 @@ class Panes(QSplitter):
             canvas.redraw_meshes()
 
     def _recolor(self) -> None:
-        """Only the 3D view shows colors of surfaces."""
-        if self.space is not None:
-            self.space.redraw()
+        """The plane view needs it only where an overlay draws what was found of meshes."""
+        for canvas in self.canvases:
+            if canvas is not self.plane or self.measuring.serves_overlays:
+                canvas.redraw()
 
     def _take_in(self, canvas: "Canvas") -> None:
         self.addWidget(canvas)

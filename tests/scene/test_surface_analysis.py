@@ -11,16 +11,20 @@ from plusedit.document.shape import Shape
 from plusedit.geometry.arrays import unit
 from plusedit.geometry.bases.bernstein import Bernstein
 from plusedit.geometry.making.primitives import exact_sphere
+from plusedit.geometry.mesh.domains import TorusDomain
 from plusedit.geometry.mesh.mesh_surface import MeshSurface
+from plusedit.geometry.mesh.polygons import PolygonMesh
 from plusedit.geometry.surface_frames import principal_curvatures
 from plusedit.scene.beside import findings, has_findings
 from plusedit.scene.camera import PlaneCamera
 from plusedit.scene.coloring import span_of
 from plusedit.scene.drawn_mesh import drawing_of
 from plusedit.scene.items import Segments
+from plusedit.scene.level_lines import level_segments, triangles_of_grid
 from plusedit.scene.options import ViewOptions
 from plusedit.scene.overlays import Coloring, Seen, overlays
 from plusedit.scene.overlays.principal import LARGEST
+from plusedit.scene.scene import scene_items
 from plusedit.scene.space_camera import SpaceCamera
 from plusedit.scene.space_scene import space_items
 from tests.geometry.mesh.mesh_surfaces import pillow
@@ -30,6 +34,7 @@ from tests.scene.meshes import a_hill
 
 U, V = np.linspace(0.02, 0.97, 11), np.linspace(0.03, 0.96, 9)
 MAPS = ("gaussian", "mean", "largest", "smallest")
+TOP = PlaneCamera((800.0, 600.0), scale=90.0)
 CAMERA = SpaceCamera((800.0, 600.0), height=6.0)
 
 
@@ -215,3 +220,73 @@ def test_the_length_of_crosses_is_nothing_to_wait_for():
     findings(entry, surface, numbers)
     assert has_findings(entry, surface, {**numbers, "length": 50.0})
     assert not has_findings(entry, surface, {**numbers, "density": 30.0})
+
+
+def plane_items(surface, name, camera=TOP, **settings):
+    design = Design({"body": Shape(surface, "Body")})
+    options = ViewOptions(overlays=frozenset({name}), isolines=False)
+    for setting, value in settings.items():
+        options = options.with_setting(f"{name}.{setting}", value)
+    layers = scene_items(design, camera, options)
+    return [item for item in layers.overlays if isinstance(item, Segments)], layers.legends
+
+
+def test_in_the_plane_a_map_is_level_lines_in_the_colors_of_its_legend():
+    lines, legends = plane_items(sphere(1.0), "draft")
+    assert legends[0].unit == "° to the pull"
+    assert len(lines) == len({line.color for line in lines}) > 4
+    for line in lines:
+        # On a ball the draft is the same along circles of latitude.
+        assert np.ptp(np.linalg.norm(line.starts[:, :2], axis=1)) < 0.02
+        assert_allclose(line.ends[:, 2], line.starts[:, 2], atol=0.02)
+
+
+def test_in_the_plane_stripes_are_the_lines_where_they_meet():
+    lines, legends = plane_items(sphere(1.0), "isophotes", height=90.0, count=3.0)
+    assert not legends
+    heights = np.degrees(np.arcsin(np.clip(lines[0].starts[:, 2], -1.0, 1.0)))
+    for height in np.unique(np.round(heights)):
+        assert abs((90.0 - height) / 30.0 % 1.0 - 0.5) == pytest.approx(0.0, abs=0.05)
+
+
+def closed_ring(n=24, m=12):
+    """A torus of quadrilaterals that share their vertices."""
+    u, v = (each.ravel() for each in np.meshgrid(np.arange(n), np.arange(m), indexing="ij"))
+    a, b = 2.0 * np.pi * u / n, 2.0 * np.pi * v / m
+    out = 2.0 + 0.7 * np.cos(b)
+    vertices = np.stack([out * np.cos(a), out * np.sin(a), 0.7 * np.sin(b)], axis=1)
+    around = [(u, v), (u + 1, v), (u + 1, v + 1), (u, v + 1)]
+    faces = np.stack([(i % n) * m + j % m for i, j in around], axis=1)
+    places = np.stack([np.stack([i / n, 0.5 * j / m], axis=1) for i, j in around], axis=1)
+    mesh = PolygonMesh.of_rows(vertices, faces)
+    return MeshSurface(mesh, TorusDomain(0.5), places.reshape(-1, 2))
+
+
+@pytest.mark.parametrize("name", ["zebra", "reflections", "isophotes"])
+def test_of_closed_meshes_only_the_front_is_striped_in_the_plane(name):
+    lines, _ = plane_items(closed_ring(), name)
+    assert len(lines[0].starts) > 20
+    assert lines[0].starts[:, 2].min() > -0.2
+
+
+def test_level_lines_are_where_values_are_that():
+    grid = np.linspace(-1.0, 1.0, 21)
+    x, y = np.meshgrid(grid, grid, indexing="ij")
+    points = np.stack([x, y, 0.0 * x], axis=-1).reshape(-1, 3)
+    values = (2.0 * x + y).ravel()
+    triangles = triangles_of_grid(21, 21)
+    for level, (starts, ends) in zip(
+        (-1.0, 0.05), level_segments(points, triangles, values, (-1.0, 0.05)), strict=True
+    ):
+        for places in (starts, ends):
+            assert_allclose(2.0 * places[:, 0] + places[:, 1], level, atol=1e-12)
+        length = np.linalg.norm(ends - starts, axis=1).sum()
+        low, high = (level - 1.0) / 2.0, min((level + 1.0) / 2.0, 1.0)
+        assert_allclose(length, (high - low) * np.sqrt(5.0))
+
+
+def test_where_a_value_is_missing_there_is_no_line():
+    points = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
+    values = np.array([0.0, 1.0, np.nan])
+    starts, _ = next(level_segments(points, np.array([[0, 1, 2]]), values, [0.5]))
+    assert len(starts) == 0

@@ -1,0 +1,42 @@
+"""The values of the overlay that colors surfaces, of all shapes that are shown."""
+
+from collections.abc import Collection
+
+from plusedit.document.design import Design
+from plusedit.document.shape import ShapeId
+from plusedit.geometry.arrays import Floats
+from plusedit.geometry.surface import PlusSurface
+from plusedit.scene.camera import Camera
+from plusedit.scene.coloring import known_values, mesh_values, surface_values
+from plusedit.scene.drawn_mesh import drawing_of
+from plusedit.scene.drawn_surface import surface_grids
+from plusedit.scene.options import ViewOptions
+from plusedit.scene.overlays import Overlay
+from plusedit.scene.shapes import shown_meshes, shown_shapes
+
+
+def values_of(
+    entry: Overlay,
+    design: Design,
+    camera: Camera,
+    options: ViewOptions,
+    *,
+    draft: bool = False,
+    wait: bool = True,
+    only: Collection[ShapeId] | None = None,
+) -> dict[ShapeId, Floats]:
+    """What each shape is colored by at the points that are drawn, as far as that is known.
+
+    With `wait` all is found first.
+    """
+    numbers = entry.numbers(options.settings)
+    values: dict[ShapeId, Floats | None] = {}
+    for shape_id, _, geometry in shown_shapes(design, only):
+        if isinstance(geometry, PlusSurface):
+            grids = surface_grids(geometry, camera, draft=draft)
+            values[shape_id] = surface_values(entry, geometry, grids, numbers)
+    for shape_id, _, surface in shown_meshes(design, only) if not options.facets else ():
+        drawing = drawing_of(surface, wait=wait)
+        find = mesh_values if wait else known_values
+        values[shape_id] = find(entry, surface, drawing, numbers)
+    return {shape_id: found for shape_id, found in values.items() if found is not None}
