@@ -269,12 +269,12 @@ def _feet(curve: PlusCurve, task: _Task) -> Floats:
     return u
 
 
-def tamed(steps: Floats, usual: Floats) -> Floats:
+def tamed(steps: Floats, usual: Floats, stretch: float = STRETCH) -> Floats:
     """Steps of the parameter, none much shorter or longer than by length, with the same sum.
 
     The feet on a curve that is still far away would bring whole stretches of points together.
     """
-    tamed: Floats = np.clip(steps, usual / STRETCH, usual * STRETCH)
+    tamed: Floats = np.clip(steps, usual / stretch, usual * stretch)
     total = float(tamed.sum())
     if total > 0.0:
         tamed *= float(steps.sum()) / total
