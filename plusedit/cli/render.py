@@ -9,13 +9,16 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
+from plusedit.cli.figures import ONE_ONLY as ONE_FIGURE
+from plusedit.cli.figures import add_figure_arguments, figure_bytes, is_figure
+
 if TYPE_CHECKING:
     from plusedit.document.design import Design
     from plusedit.scene.camera import Projection
     from plusedit.scene.levels import Level
 
 NAME = "render"
-HELP = "make a PNG or SVG picture of a design"
+HELP = "make a picture of a design: PNG or SVG, or a figure for print: PDF, SVG or PNG"
 
 MOST = 20_000  # pixels to a side
 MOST_PIXELS = 120_000_000  # half a gigabyte
@@ -37,7 +40,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "design", metavar="DESIGN", help="a design, or another file that opens, such as a mesh"
     )
-    parser.add_argument("out", metavar="OUT.png|.svg", help="the picture; its suffix says the kind")
+    parser.add_argument(
+        "out", metavar="OUT.png|.svg|.pdf", help="the picture; its suffix says the kind"
+    )
     parser.add_argument(
         "--view",
         metavar="NAME",
@@ -62,7 +67,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="NAME",
         action="append",
         default=[],
-        help="what else to show, such as mesh; may be given more than once",
+        help="what else to show, such as comb; may be given more than once",
+    )
+    parser.add_argument(
+        "--no-overlay",
+        metavar="NAME",
+        action="append",
+        default=[],
+        help="what not to show of what the design asks for; may be given more than once",
     )
     parser.add_argument(
         "--up",
@@ -78,6 +90,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="of surfaces of meshes; several stand side by side in a PNG picture, such as "
         "mesh,0.7,4, where mesh is the mesh itself",
     )
+    add_figure_arguments(parser)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -88,21 +101,25 @@ def run(arguments: argparse.Namespace) -> int:
 
     out = Path(arguments.out)
     kind = out.suffix.lower()
-    if kind not in (".png", ".svg"):
-        raise FormatError(f"{shown_name(out)}: a picture's name ends with .png or .svg")
-    if kind == ".svg" and len(arguments.smoothness) > 1:
-        raise FormatError(f"{shown_name(out)}: {ONE_ONLY}")
-    _check_overlays(arguments.overlay)
+    if kind not in (".png", ".svg", ".pdf"):
+        raise FormatError(f"{shown_name(out)}: a picture's name ends with .png, .svg or .pdf")
+    figured = is_figure(arguments)
+    if (kind == ".svg" or figured) and len(arguments.smoothness) > 1:
+        raise FormatError(f"{shown_name(out)}: {ONE_FIGURE if figured else ONE_ONLY}")
+    _check_overlays([*arguments.overlay, *arguments.no_overlay])
     design = opened_design(arguments.design, arguments.up)
     check_apart(out, arguments.design)
     designs = _at_levels(design, arguments)
     try:
-        data = _svg(designs[0], arguments) if kind == ".svg" else _png(designs, arguments)
+        if figured:
+            data = _figure(designs[0], arguments)
+        else:
+            data = _svg(designs[0], arguments) if kind == ".svg" else _png(designs, arguments)
     except MemoryError as error:
         source = shown_name(Path(arguments.design))
         raise FormatError(f"{source}: its picture takes more memory than there is") from error
     write_file(data, out)
-    if kind == ".svg" and any(True for _ in design.surfaces()):
+    if kind == ".svg" and not figured and any(True for _ in design.surfaces()):
         print(f"{shown_name(out)}: {LINES_ONLY}", file=sys.stderr)
     return 0
 
@@ -120,7 +137,7 @@ def _at_levels(design: "Design", arguments: argparse.Namespace) -> "Sequence[Des
     """What stands side by side: the design with what is asked for shown, once for each level."""
     from plusedit.scene.levels import at_level, with_overlays
 
-    shown = with_overlays(design, arguments.overlay)
+    shown = with_overlays(design, arguments.overlay, arguments.no_overlay)
     return [at_level(shown, level) for level in arguments.smoothness] or [shown]
 
 
@@ -148,6 +165,20 @@ def _svg(design: "Design", arguments: argparse.Namespace) -> bytes:
     # Without the surfaces there is nothing that a legend would speak of.
     flat = [item for item in drawing.layers if not isinstance(item, Patch | Mesh | Legend)]
     return svg_of(flat, drawing.camera, theme, transparent=arguments.transparent)
+
+
+def _figure(design: "Design", arguments: argparse.Namespace) -> bytes:
+    from plusedit.io.formats import FormatError
+
+    in_space, side = _is_in_space(design, arguments.view), PLANE.get(arguments.view)
+    try:
+        from plusedit.views.gl.functions import OpenGLError
+    except ImportError as error:
+        raise FormatError(f"figures need Qt, which can't be loaded ({error})") from error
+    try:
+        return figure_bytes(design, arguments, in_space=in_space, side=side)
+    except OpenGLError as error:
+        raise FormatError(WITHOUT_OPENGL.format(error)) from error
 
 
 def _png(designs: "Sequence[Design]", arguments: argparse.Namespace) -> bytes:

@@ -22,9 +22,11 @@ def at_level(design: Design, level: Level) -> Design:
     return design
 
 
-def with_overlays(design: Design, names: Iterable[str]) -> Design:
-    """The design with these overlays switched on beside its own."""
+def with_overlays(design: Design, names: Iterable[str], without: Iterable[str] = ()) -> Design:
+    """The design with these overlays switched on beside its own, and others switched off."""
     options = options_of(design.view)
+    for name in without:
+        options = options.with_overlay(name, False)
     for name in names:
         options = options.with_overlay(name, True)
     return replace(design, view=view_tree(options, old=design.view))

@@ -172,6 +172,7 @@ def test_a_mesh_and_its_surface_at_two_levels_stand_side_by_side(hill, tmp_path)
         (["{design}", "{folder}/out.svg", "--theme", "pink"], "invalid choice"),
         (["{design}", "{folder}/out.svg", "--view", "behind"], "invalid choice"),
         (["{design}", "{folder}/out.svg", "--overlay", "halo"], "no overlay 'halo'"),
+        (["{design}", "{folder}/out.svg", "--no-overlay", "halo"], "there are "),
         (["{design}", "{folder}/out.svg", "--smoothness", "mesh,1"], "side by side"),
         (["{design}", "{folder}/out.png", "--smoothness", "0"], "numbers above 0 or mesh"),
         (["{design}", "{folder}/out.png", "--smoothness", "1,nan"], "numbers above 0 or mesh"),
@@ -207,3 +208,17 @@ def test_a_picture_too_large_for_memory_is_one_line_and_code_2(
     told = capsys.readouterr().err
     assert told == f"{document.name}: its picture takes more memory than there is\n"
     assert not out.exists()
+
+
+def test_overlays_are_added_to_those_of_the_design_and_taken_away(tmp_path):
+    (figure,) = (path for path in example_files() if path.stem == "figure_4")
+
+    def drawn(*words):
+        out = tmp_path / "out.svg"
+        assert main(["render", str(figure), str(out), *words]) == 0
+        return out.read_text()
+
+    own = drawn()
+    assert drawn("--overlay", "comb", "--overlay", "extrema").count("<text") > own.count("<text")
+    assert drawn("--no-overlay", "hulls").count("<polygon") < own.count("<polygon")
+    assert drawn("--overlay", "comb", "--no-overlay", "hulls").count("Curvature comb") == 1
