@@ -89,10 +89,18 @@ def scene_items(
 
 
 def design_items(
-    design: Design, camera: PlaneCamera, options: ViewOptions, selection: Selection
+    design: Design,
+    camera: PlaneCamera,
+    options: ViewOptions,
+    selection: Selection,
+    *,
+    hurried: bool = False,
 ) -> Layers:
-    """What overlays draw about a design as a whole, and nothing else; of meshes what is known."""
-    return _layers(_of_design(design, camera, options, selection, wait=False))
+    """What overlays draw about a design as a whole, and nothing else; of meshes what is known.
+
+    While an edit is going on (`hurried`) what takes its time is left for later.
+    """
+    return _layers(_of_design(design, camera, options, selection, wait=False, hurried=hurried))
 
 
 def _of_design(
@@ -102,9 +110,10 @@ def _of_design(
     selection: Selection,
     *,
     wait: bool,
+    hurried: bool = False,
 ) -> Iterator[Item]:
     yield from map_items(design, camera, options, wait=wait)
-    yield from design_overlay_items(design, camera, options, selection)
+    yield from design_overlay_items(design, camera, options, selection, hurried=hurried)
 
 
 def _layers(

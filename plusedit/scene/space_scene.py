@@ -87,11 +87,13 @@ def space_items(
     *,
     draft: bool = False,
     wait: bool = True,
+    hurried: bool = False,
     only: Collection[ShapeId] | None = None,
 ) -> SpaceLayers:
     """How `design` looks in space; with `only`, how those shapes of it do.
 
     With `draft` surfaces are coarser; without `wait` those of meshes are as they are known by now.
+    While an edit is going on (`hurried`) overlays leave for later what takes its time.
     What is too large to be calculated with is left out.
     """
     shown = shown_shapes(design, only)
@@ -103,7 +105,9 @@ def space_items(
     with np.errstate(all="ignore"):
         tints = _tints(design, camera, options, draft=draft, wait=wait, only=only)
         overlays = chain(
-            design_overlay_items(design, camera, options, selection) if only is None else (),
+            design_overlay_items(design, camera, options, selection, hurried=hurried)
+            if only is None
+            else (),
             overlay_items(design, shown, camera, options, selection),
             overlay_items(
                 design, shown_meshes(design, only), camera, options, selection, wait=wait

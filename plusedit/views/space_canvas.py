@@ -85,6 +85,7 @@ class SpaceCanvas(Editing[SpaceCamera], SpaceView):
             self._session.selection,
             draft=is_draft,
             wait=False,
+            hurried=is_edited,
         )
         try:
             self._draw_layers(is_draft)

@@ -98,7 +98,7 @@ class Strata:
         words = [*self._legends, *self._captions]
         if self._moving:
             for layers in (
-                design_items(design, look.camera, look.options, look.selection),
+                design_items(design, look.camera, look.options, look.selection, hurried=previewed),
                 # Without a glow what is dragged is seen better, and drawn in half the time.
                 _layers(design, look, self._moving, glow=not previewed),
             ):
