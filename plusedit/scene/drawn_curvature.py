@@ -10,7 +10,7 @@ from plusedit.geometry.mesh.evaluation import cone_points, jets
 from plusedit.geometry.mesh.mesh_surface import MeshSurface
 from plusedit.geometry.surface import PlusSurface
 from plusedit.geometry.surface_frames import PrincipalCurvatures, principal_curvatures
-from plusedit.scene.mesh_drawing import MeshDrawing
+from plusedit.scene.mesh_drawing import DrawnNet, MeshDrawing
 
 ROUNDING = 1e-10  # of the largest curvature of a shape: smaller ones are taken to be zero
 
@@ -33,13 +33,8 @@ def curvatures_of_drawing(surface: MeshSurface, drawing: MeshDrawing) -> Princip
     with _FINDING:
         found = _OF_MESHES.get(drawing)
         if found is None:
-            found = _OF_MESHES[drawing] = _of_mesh(surface, drawing)
+            found = _OF_MESHES[drawing] = at_net(surface, drawing.net)[1]
     return found
-
-
-def known_curvatures(drawing: MeshDrawing) -> PrincipalCurvatures | None:
-    """The same without waiting: None while they are not known."""
-    return _OF_MESHES.get(drawing)
 
 
 def gaussian(found: PrincipalCurvatures) -> Floats:
@@ -54,26 +49,27 @@ def mean(found: PrincipalCurvatures) -> Floats:
     return half
 
 
-def _of_mesh(surface: MeshSurface, drawing: MeshDrawing) -> PrincipalCurvatures:
-    places = drawing.net.places
+def at_net(surface: MeshSurface, net: DrawnNet) -> tuple[Floats, PrincipalCurvatures]:
+    """(n, 3) the points of a surface at the places of a net, and the curvatures there."""
+    places = net.places
     with np.errstate(all="ignore"):
-        found = principal_curvatures(jets(surface, places, highest=2))
+        derivatives = jets(surface, places, highest=2)
+        found = principal_curvatures(derivatives)
         is_cone = np.zeros(len(places), dtype=np.bool_)
         is_cone[cone_points(surface.domain, places)] = True
-        sides = np.ones(len(places)) if drawing.net.sides is None else drawing.net.sides
+        sides = np.ones(len(places)) if net.sides is None else net.sides
         # Seen from the other side, what was the largest curvature is the smallest.
         is_turned = sides < 0.0
         largest = np.where(is_turned, -found.smallest, found.largest)
         smallest = np.where(is_turned, -found.largest, found.smallest)
         first, second = found.along_largest, found.along_smallest
-        return _clean(
-            PrincipalCurvatures(
-                np.where(is_cone, np.nan, largest),
-                np.where(is_cone, np.nan, smallest),
-                np.where(is_turned[:, None], second, first),
-                np.where(is_turned[:, None], first, second),
-            )
+        seen = PrincipalCurvatures(
+            np.where(is_cone, np.nan, largest),
+            np.where(is_cone, np.nan, smallest),
+            np.where(is_turned[:, None], second, first),
+            np.where(is_turned[:, None], first, second),
         )
+        return derivatives[0], _clean(seen)
 
 
 def _clean(found: PrincipalCurvatures) -> PrincipalCurvatures:

@@ -107,7 +107,10 @@ def _drawn(geometry: Geometry, camera: PlaneCamera, wait: bool) -> tuple[Floats,
 def _lines_of_stripes(
     stripes: Stripes, design: Design, camera: PlaneCamera, wait: bool
 ) -> Iterator[Item]:
-    levels = (np.arange(-2 * stripes.count, 2 * stripes.count) + 0.5) / (2 * stripes.count) * np.pi
+    pairs = np.arange(-stripes.count, stripes.count + 1)
+    # Lamps are thin: a line each. Of bands both edges count.
+    edges = (0.0,) if stripes.kind == "reflection" else (0.25, 0.75)
+    levels = np.pi / stripes.count * np.concatenate([pairs + edge for edge in edges])
     key = stripes, camera.projection
     for points, triangles, across in _with_normals(design, camera, wait):
         kept = _kept(points, key)
