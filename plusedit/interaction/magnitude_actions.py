@@ -7,6 +7,7 @@ the faces, it is a number by itself.
 from collections.abc import Callable
 
 from plusedit.commands.curves import SetMagnitude
+from plusedit.commands.multiples import Multiply
 from plusedit.document.design import EditError
 from plusedit.document.shape import Geometry, ShapeId
 from plusedit.geometry.curve import PlusCurve
@@ -65,10 +66,17 @@ def _by(share: float) -> Callable[[Stage], Outcome]:
     return _s(lambda geometry: geometry.s + share * length_of(geometry))
 
 
+def multiples(stage: Stage) -> Outcome:
+    """Copies side by side that differ in s, in a row as the view sees it."""
+    across, up, _ = stage.camera.axes_of_view
+    return Multiply(chosen_or_all(stage), across=across, down=-up)
+
+
 ACTIONS = (
     EditAction("s_up", "s up by 1 % of L", ("+", "="), MENU, _by(STEP)),
     EditAction("s_down", "s down by 1 % of L", ("-",), MENU, _by(-STEP)),
     EditAction("s_zero", "s = 0, classical", (), MENU, _s(lambda geometry: 0.0)),
     EditAction("s_half", "s = L/2, usual", (), MENU, _s(usual)),
     EditAction("s_best", "s = s*, closest to the points", (), MENU, _s(best)),
+    EditAction("s_multiples", "Copies with s = 0, L/2, L, 3L/2", (), MENU, multiples),
 )

@@ -1,10 +1,12 @@
-"""A design with surfaces of meshes as smooth as asked for, to be looked at."""
+"""A design to be looked at: surfaces of meshes as smooth as asked for, shapes for several s."""
 
 from collections.abc import Iterable
 from dataclasses import replace
 from typing import Literal, TypeAlias
 
+from plusedit.commands.multiples import Magnitude, Multiply
 from plusedit.document.design import Design
+from plusedit.scene.camera import Camera
 from plusedit.scene.options import options_of, view_tree
 
 Level: TypeAlias = float | Literal["mesh"]
@@ -20,6 +22,25 @@ def at_level(design: Design, level: Level) -> Design:
         shape = replace(design.shapes[shape_id], geometry=surface.with_smoothness(level))
         design = design.with_shape(shape_id, shape)
     return design
+
+
+def in_multiples(
+    design: Design,
+    magnitudes: Iterable[Magnitude],
+    camera: Camera,
+    aspect: float,
+) -> Design:
+    """Copies of all visible shapes in place of them, one for each s, with its s for a name.
+
+    In rows as the camera sees them, as many as suit a picture that is so many times as wide as it
+    is high.
+    """
+    ids = tuple(i for i, shape in design.shapes.items() if shape.visible and not shape.locked)
+    if not ids:
+        return design
+    across, up, _ = camera.axes_of_view
+    made = Multiply(ids, tuple(magnitudes), aspect, across, -up, in_place=True).apply(design)
+    return with_overlays(made, ["names"])
 
 
 def with_overlays(design: Design, names: Iterable[str], without: Iterable[str] = ()) -> Design:

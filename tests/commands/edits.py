@@ -30,6 +30,7 @@ from plusedit.commands.lines import (
     Transform,
     Turn,
 )
+from plusedit.commands.multiples import Multiply
 from plusedit.commands.pulling import Pull
 from plusedit.commands.shapes import (
     AddShapes,
@@ -85,6 +86,7 @@ EDITS = {
     "Delete 2 control lines": DeleteLines(LINES),
     "Delete shape": DeleteShapes((A,)),
     "Duplicate shape": Duplicate((A,), BY),
+    "Small multiples of shape": Multiply((A,)),
     "Set style of shape": SetStyle((A,), Style("#ff0000")),
     "Insert control line": InsertLine(A, 0.4),
     "Add control line": AppendLine(A, True, np.array([6.0, 1.0])),
@@ -130,6 +132,7 @@ SURFACE_EDITS = {
     "Insert column": InsertRow(A, "v", 0.4),
     "Delete shape": DeleteShapes((A,)),
     "Duplicate shape": Duplicate((A,), LIFT),
+    "Small multiples of shape": Multiply((A,)),
     "Set style of shape": SetStyle((A,), Style("#ff0000")),
     "Set s": SetMagnitude({A: 3.0}),
     "Transpose surface": Transpose((A,)),
