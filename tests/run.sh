@@ -51,5 +51,6 @@ check "types" "$venv/bin/mypy" plusedit
 check "layers" "$venv/bin/lint-imports"
 check "tests with OpenGL" test_on_screen
 [ ${#failed[@]} = 0 ] || printf '== FAILED so far: %s\n' "${failed[@]}"
-QT_QPA_PLATFORM=offscreen check "tests" "$venv/bin/python" -m pytest -m "not gl" --continue-on-collection-errors
+QT_QPA_PLATFORM=offscreen check "tests" "$venv/bin/python" -m pytest -m "not gl" --continue-on-collection-errors \
+  --numprocesses auto --maxprocesses 4 --dist worksteal
 [ ${#failed[@]} = 0 ]

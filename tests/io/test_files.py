@@ -54,7 +54,7 @@ def test_a_path_can_be_a_string(document):
 
 
 def test_an_unknown_suffix_names_the_known_ones(tmp_path):
-    known = "known are .json, .plus.json, .svg"
+    known = "known are .csv, .dat, .json, .plus.json, .pts, .svg, .txt"
     assert refused(save, Design(), tmp_path / "bow.xyz").endswith(f'".xyz" is not known; {known}')
     assert refused(save, Design(), tmp_path / "bow").endswith(f"has no suffix; {known}")
     (tmp_path / "bow.obj").write_bytes(b"")
