@@ -9,10 +9,11 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
-from plusedit.cli.figures import ONE_ONLY as ONE_FIGURE
-from plusedit.cli.figures import add_figure_arguments, figure_bytes, is_figure
+from plusedit.figure_arguments import ONE_ONLY as ONE_FIGURE
+from plusedit.figure_arguments import add_figure_arguments, figure_bytes, is_figure
 
 if TYPE_CHECKING:
+    from plusedit.commands.multiples import Magnitude
     from plusedit.document.design import Design
     from plusedit.scene.camera import Projection
     from plusedit.scene.levels import Level
@@ -92,6 +93,15 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     add_figure_arguments(parser)
 
+    parser.add_argument(
+        "--multiples",
+        metavar="S[,S...]",
+        type=_magnitudes,
+        default=(),
+        help="copies side by side that differ in s, such as 0,0.5L,L,1.5L, where L is the length "
+        "of the control polygon of each shape",
+    )
+
 
 def run(arguments: argparse.Namespace) -> int:
     """Nothing is written before the whole picture is there."""
@@ -138,7 +148,28 @@ def _at_levels(design: "Design", arguments: argparse.Namespace) -> "Sequence[Des
     from plusedit.scene.levels import at_level, with_overlays
 
     shown = with_overlays(design, arguments.overlay, arguments.no_overlay)
+    shown = _in_multiples(shown, arguments)
     return [at_level(shown, level) for level in arguments.smoothness] or [shown]
+
+
+def _in_multiples(design: "Design", arguments: argparse.Namespace) -> "Design":
+    """The design with copies for every s that is asked for."""
+    from plusedit.scene.camera import PlaneCamera
+    from plusedit.scene.levels import in_multiples
+    from plusedit.scene.options import space_camera_of
+    from plusedit.scene.space_camera import SpaceCamera
+
+    if not arguments.multiples:
+        return design
+    width, height = size = arguments.size
+    camera: PlaneCamera | SpaceCamera
+    if _is_in_space(design, arguments.view):
+        named = _named(arguments.view)
+        kept = space_camera_of(design.view, size) if named is None else None
+        camera = kept or SpaceCamera.standard(named or "iso", size)
+    else:
+        camera = PlaneCamera(size, projection=PLANE.get(arguments.view, "top"))
+    return in_multiples(design, arguments.multiples, camera, width / height)
 
 
 def _is_in_space(design: "Design", view: str) -> bool:
@@ -171,10 +202,10 @@ def _figure(design: "Design", arguments: argparse.Namespace) -> bytes:
     from plusedit.io.formats import FormatError
 
     in_space, side = _is_in_space(design, arguments.view), PLANE.get(arguments.view)
-    try:
-        from plusedit.views.gl.functions import OpenGLError
-    except ImportError as error:
-        raise FormatError(f"figures need Qt, which can't be loaded ({error})") from error
+    if not in_space:
+        return figure_bytes(design, arguments, in_space=in_space, side=side)
+    from plusedit.views.gl.functions import OpenGLError
+
     try:
         return figure_bytes(design, arguments, in_space=in_space, side=side)
     except OpenGLError as error:
@@ -237,6 +268,15 @@ def _size(word: str) -> tuple[int, int]:
 
 def _levels(words: str) -> "tuple[Level, ...]":
     return tuple(_level(word.strip()) for word in words.split(","))
+
+
+def _magnitudes(words: str) -> "tuple[Magnitude, ...]":
+    from plusedit.commands.multiples import Magnitude
+
+    try:
+        return tuple(Magnitude.read(word.strip()) for word in words.removeprefix("s=").split(","))
+    except ValueError as error:
+        raise argparse.ArgumentTypeError(str(error)) from error
 
 
 def _level(word: str) -> "Level":

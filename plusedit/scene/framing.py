@@ -27,10 +27,12 @@ def framed(
     *,
     only: Iterable[ShapeId] | None = None,
     margin: float = MARGIN,
+    words: float = 1.0,
 ) -> PlaneCamera:
     """The camera moved and zoomed so that all that is drawn of the shapes is seen.
 
-    Itself if nothing is drawn. Whatever keeps its size on the screen is given room for.
+    Itself if nothing is drawn. Whatever keeps its size on the screen is given room for; labels are
+    drawn `words` times as large.
     """
     chosen = None if only is None else frozenset(only)
     points = _control_points(design, camera, chosen)
@@ -39,11 +41,17 @@ def framed(
     camera = camera.framing(camera.placed(points), margin)
     for _ in range(ROUNDS):
         items = scene_items(design, camera, options, only=chosen, wait=False)
-        extent = [points, *(telling(seen) for item in items for seen in _extent(item, camera))]
-        before, camera = camera, camera.framing(camera.placed(np.concatenate(extent)), margin)
+        extent = np.concatenate([points, extent_of(items, camera, words)])
+        before, camera = camera, camera.framing(camera.placed(extent), margin)
         if abs(camera.scale - before.scale) <= SETTLED * before.scale:
             break
     return camera
+
+
+def extent_of(items: Iterable[Item], camera: PlaneCamera, words: float = 1.0) -> Floats:
+    """(m, 2) points of the plane that is seen, as far out as what the items draw."""
+    rows = [telling(seen) for item in items for seen in _extent(item, camera, words)]
+    return np.concatenate(rows) if rows else np.zeros((0, 2))
 
 
 def _control_points(design: Design, camera: PlaneCamera, only: frozenset[ShapeId] | None) -> Floats:
@@ -56,15 +64,19 @@ def _control_points(design: Design, camera: PlaneCamera, only: frozenset[ShapeId
     return np.concatenate(rows) if rows else np.zeros((0, 2))
 
 
-def _extent(item: Item, camera: PlaneCamera) -> Iterable[Floats]:
+def _extent(item: Item, camera: PlaneCamera, words: float) -> Iterable[Floats]:
     match item:
         case Polyline(points) | Polygon(points) | Markers(points):
             yield camera.plane(points)
         case Segments(starts, ends):
             yield camera.plane(starts)
             yield camera.plane(ends)
-        case Label(at, text, _, offset, anchor, size):
-            width = CHARACTER * size * len(text)
-            left = {"left": 0.0, "center": -0.5, "right": -1.0}[anchor] * width
-            box = np.array([[left, -size], [left + width, size / 3.0]]) + offset
-            yield camera.in_plane(camera.to_screen(at[None]) + box)
+        case Label():
+            yield camera.in_plane(camera.to_screen(item.at[None]) + words * label_box(item))
+
+
+def label_box(label: Label) -> Floats:
+    """(2, 2) the corners of about what a label covers, in pixels from its point."""
+    width = CHARACTER * label.size * len(label.text)
+    left = {"left": 0.0, "center": -0.5, "right": -1.0}[label.anchor] * width
+    return np.array([[left, -label.size], [left + width, label.size / 3.0]]) + label.offset

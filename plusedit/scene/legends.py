@@ -52,8 +52,11 @@ class PlacedLegend:
     words: tuple[Word, ...]
 
 
-def placed(legend: Legend, size: tuple[float, float]) -> PlacedLegend | None:
-    """The legend in a picture of that width and height; None where there is no room."""
+def placed(legend: Legend, size: tuple[float, float], axes: float = AXES) -> PlacedLegend | None:
+    """The legend in a picture of that width and height; None where there is no room.
+
+    The upper right corner, so many pixels high and wide, is left free.
+    """
     heading = [text for text in (legend.title, legend.unit) if text]
     tips = TIP * sum(legend.is_open)
     around = 2.0 * PADDING + LINE * len(heading) + tips + NUMBERS / 2.0
@@ -61,9 +64,9 @@ def placed(legend: Legend, size: tuple[float, float]) -> PlacedLegend | None:
     numbers = max((width_of(text, NUMBERS) for _, text in legend.ticks), default=0.0)
     inner = max(BAR + TICK + GAP + numbers, *(width_of(text, WORDS) for text in heading))
     width = inner + 2.0 * PADDING
-    is_right = room - AXES >= SHORTEST or size[0] < width + AXES
+    is_right = room - axes >= SHORTEST or size[0] < width + axes
     fair = max(SHORTEST, min(SHARE[0] * size[1], SHARE[1] * size[0]))
-    length = min(LONGEST, fair, room - AXES if is_right else room)
+    length = min(LONGEST, fair, room - axes if is_right else room)
     if length < SHORTEST or size[0] < width + 2.0 * MARGIN:
         return None
     height = length + around

@@ -35,13 +35,14 @@ def composed_in_space(
     meshes are as they are known by now. KeyError for an unknown view.
     """
     options = replace(options_of(design.view), ground=design.view.get("ground") is True)
-    camera = _camera(design, size, view)
+    camera = camera_of_view(design, size, view)
     margin = max(LEAST_MARGIN, MARGIN * min(size))
     camera = framed_in_space(design, camera, options, margin=min(margin, min(size) / 4.0))
     return SpaceComposition(camera, options, space_items(design, camera, options, wait=wait))
 
 
-def _camera(design: Design, size: tuple[float, float], view: str | None) -> SpaceCamera:
+def camera_of_view(design: Design, size: tuple[float, float], view: str | None) -> SpaceCamera:
+    """The camera of the named view, or else the design's own. KeyError for an unknown view."""
     if view is not None and view not in STANDARD:
         raise KeyError(f"no view {view!r}; there are: {', '.join(STANDARD)}")
     kept = space_camera_of(design.view, size) if view is None else None

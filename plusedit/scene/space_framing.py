@@ -47,14 +47,14 @@ def framed_in_space(
     """
     chosen = None if only is None else frozenset(only)
     shown = shown_shapes(design, chosen)
-    points = [_in_space(geometry.net.control_points) for _, _, geometry in shown]
+    points = [in_space(geometry.net.control_points) for _, _, geometry in shown]
     points += [telling(surface.mesh.vertices) for _, _, surface in shown_meshes(design, chosen)]
     if not points:
         return camera
     camera = camera.framing(np.concatenate(points), margin)
     for _, _, geometry in shown:
         if isinstance(geometry, PlusCurve):
-            points.append(_in_space(drawn(geometry, camera).points))
+            points.append(in_space(drawn(geometry, camera).points))
         else:
             points.append(coarse_points(geometry))
     for _ in range(ROUNDS):
@@ -63,7 +63,7 @@ def framed_in_space(
             *handle_items(design, camera, options, NOTHING_SELECTED, chosen),
         ]
         extent = np.concatenate(
-            [*points, *(telling(_in_space(p)) for i in items for p in _places(i))]
+            [*points, *(telling(in_space(p)) for i in items for p in _places(i))]
         )
         before, camera = camera, camera.framing(extent[np.isfinite(extent).all(axis=1)], margin)
         if abs(camera.height - before.height) <= SETTLED * before.height:
@@ -71,7 +71,8 @@ def framed_in_space(
     return camera
 
 
-def _in_space(points: Floats) -> Floats:
+def in_space(points: Floats) -> Floats:
+    """(m, 3) points (m, 2) or (m, 3); a plane curve lies in z = 0."""
     if points.shape[1] == 3:
         return points
     return np.column_stack([points, np.zeros(len(points))])

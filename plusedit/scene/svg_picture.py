@@ -50,7 +50,7 @@ def svg_of(
 
     The first item is farthest back. Behind all is the theme's canvas, unless `transparent`.
     """
-    draw = _Picture(camera, theme)
+    draw = Drawing(camera, theme)
     width, height = (_number(side) for side in camera.size)
     lines = [f'<rect width="{width}" height="{height}" {draw.fill("canvas")}/>']
     if transparent:
@@ -58,6 +58,11 @@ def svg_of(
     for item in items:
         lines += draw.elements(item)
     size = f'width="{width}" height="{height}" viewBox="0 0 {width} {height}"'
+    return svg_file(size, lines)
+
+
+def svg_file(size: str, lines: Iterable[str]) -> bytes:
+    """The whole file around its elements; `size` are the attributes that tell how large it is."""
     style = 'fill="none" stroke-linejoin="round" stroke-linecap="round"'
     body = "".join(f"{line}\n" for line in lines)
     root = f'<svg xmlns="http://www.w3.org/2000/svg" version="1.1" {size} {style}>'
@@ -65,7 +70,7 @@ def svg_of(
 
 
 @dataclass(frozen=True, eq=False)
-class _Picture:
+class Drawing:
     """Turns items into elements."""
 
     camera: Camera
@@ -148,8 +153,10 @@ class _Picture:
     @elements.register
     def _(self, item: Legend) -> list[str]:
         legend = placed(item, self.camera.size)
-        if legend is None:
-            return []
+        return [] if legend is None else self.legend(legend)
+
+    def legend(self, legend: PlacedLegend) -> list[str]:
+        """The elements that draw a legend in its place."""
         ground = f"{self.fill('panel')} {self.stroke('border', 1.0)}"
         ticks = "".join(f"M{_number(a)} {_number(y)}H{_number(b)}" for a, b, y in legend.ticks)
         return [

@@ -9,7 +9,9 @@ from PySide6.QtGui import QImage
 
 from plusedit.document.design import Design
 from plusedit.scene.composition import SIZE
-from plusedit.scene.space_composition import SpaceComposition, composed_in_space
+from plusedit.scene.space_camera import SpaceCamera
+from plusedit.scene.space_composition import composed_in_space
+from plusedit.scene.space_scene import SpaceLayers
 from plusedit.scene.stripes import stripes_of
 from plusedit.scene.theme import LIGHT, Theme
 from plusedit.views.gl.artist import Look, SpaceArtist
@@ -49,14 +51,7 @@ def space_image_of(
         transparent=transparent,
     )
     with context_for_pictures() as gl:
-        pixels = _drawn(gl, picture, theme, look, ratio)
-    height, width, _ = pixels.shape
-    kind = QImage.Format.Format_RGBA8888_Premultiplied
-    image = QImage(pixels.data, width, height, 4 * width, kind).copy()
-    if image.isNull():
-        raise MemoryError(
-            f"a picture of {width} by {height} pixels takes more memory than there is"
-        )
+        image = shaded_image(gl, picture.layers, picture.camera, theme, look, ratio)
     image.setDevicePixelRatio(ratio)
     if words := tuple(picture.layers.words()):
         with painting(image) as painter:
@@ -80,24 +75,54 @@ def space_png(
     return data
 
 
+def shaded_image(
+    gl: Functions,
+    layers: SpaceLayers,
+    camera: SpaceCamera,
+    theme: Theme,
+    look: Look,
+    ratio: float,
+    rows: range | None = None,
+) -> QImage:
+    """What the artist draws in a view, labels left out; with `rows`, those rows of pixels of it.
+
+    `ratio` pixels to each logical one. MemoryError where it takes more memory than there is.
+    """
+    pixels = _drawn(gl, layers, camera, theme, look, ratio, rows)
+    height, width, _ = pixels.shape
+    kind = QImage.Format.Format_RGBA8888_Premultiplied
+    image = QImage(pixels.data, width, height, 4 * width, kind).copy()
+    if image.isNull():
+        raise MemoryError(
+            f"a picture of {width} by {height} pixels takes more memory than there is"
+        )
+    return image
+
+
 def _drawn(
-    gl: Functions, picture: SpaceComposition, theme: Theme, look: Look, ratio: float
+    gl: Functions,
+    layers: SpaceLayers,
+    camera: SpaceCamera,
+    theme: Theme,
+    look: Look,
+    ratio: float,
+    rows: range | None,
 ) -> Pixels:
     """(height, width, 4) the picture, tile by tile: cards limit what can be drawn at once."""
-    width, height = (round(side * ratio) for side in picture.camera.size)
-    pixels = np.empty((height, width, 4), np.uint8)
-    tile = min(TILE, max(width, height))
+    width, height = (round(side * ratio) for side in camera.size)
+    wanted = rows or range(height)
+    pixels = np.empty((len(wanted), width, 4), np.uint8)
+    tile = min(TILE, max(width, len(wanted)))
     target = Target(gl, FINER * tile, FINER * tile, SAMPLES)
     artist = SpaceArtist(gl)
     try:
-        for rows, columns in _tiles(width, height, tile):
+        for down, across in _tiles(width, len(wanted), tile):
             target.bind()
-            crop = _crop(rows, columns, width, height, tile)
-            artist.paint(
-                picture.layers, picture.camera, theme, look, ratio=FINER * ratio, crop=crop
-            )
+            place = slice(wanted.start + down.start, wanted.start + down.stop)
+            crop = _crop(place, across, width, height, tile)
+            artist.paint(layers, camera, theme, look, ratio=FINER * ratio, crop=crop)
             drawn = _averaged(target.read())
-            pixels[rows, columns] = drawn[: rows.stop - rows.start, : columns.stop - columns.start]
+            pixels[down, across] = drawn[: down.stop - down.start, : across.stop - across.start]
     finally:
         artist.release()
         target.release()
@@ -105,6 +130,7 @@ def _drawn(
 
 
 def _tiles(width: int, height: int, tile: int) -> Iterator[tuple[slice, slice]]:
+    """Rows and columns."""
     for row in range(ceil(height / tile)):
         for column in range(ceil(width / tile)):
             yield (

@@ -163,7 +163,7 @@ def test_a_mesh_and_its_surface_at_two_levels_stand_side_by_side(hill, tmp_path)
 @pytest.mark.parametrize(
     ("words", "sentence"),
     [
-        (["{design}", "{folder}/out.gif"], "ends with .png or .svg"),
+        (["{design}", "{folder}/out.gif"], "ends with .png, .svg or .pdf"),
         (["{design}", "{folder}/gone/out.svg"], "no folder"),
         (["{folder}/gone.json", "{folder}/out.svg"], "no such file"),
         (["{design}", "{folder}/out.svg", "--size", "0x5"], "WIDTHxHEIGHT"),

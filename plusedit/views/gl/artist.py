@@ -95,9 +95,10 @@ class SpaceArtist:
         *,
         ratio: float = 1.0,
         crop: Crop = WHOLE,
-    ) -> None:
+    ) -> Sight:
         """Draw a frame into what is bound, which is cleared first; labels are left out.
 
+        What comes back tells where in clip space things were drawn.
         `ratio` is pixels of the device to a logical one. What is seen through is told by the colors
         of the theme, whatever the layer.
         """
@@ -117,6 +118,7 @@ class SpaceArtist:
             self._draw_handles(sight)
             if look.axes:
                 self._draw_tripod(sight, look.hovered)
+        return sight
 
     def release(self) -> None:
         """Free everything on the card; nothing can be drawn afterwards."""

@@ -43,6 +43,15 @@ class Target:
         gl.ReadPixels(0, 0, *size, names.RGBA, names.UNSIGNED_BYTE, address(pixels))
         return pixels[::-1]
 
+    def depths(self) -> NDArray[np.float32]:
+        """(height, width) how deep what is drawn lies, from 0 to 1; only of one without samples."""
+        gl, size = self._gl, (self.width, self.height)
+        gl.BindFramebuffer(names.FRAMEBUFFER, self._drawn)
+        gl.PixelStorei(names.PACK_ALIGNMENT, 4)
+        found = np.empty((self.height, self.width), np.float32)
+        gl.ReadPixels(0, 0, *size, names.DEPTH_COMPONENT, names.FLOAT, address(found))
+        return found[::-1]
+
     def spread(self, framebuffer: int, width: int, height: int) -> None:
         """Show it in another framebuffer, as large as that; draw there from now on."""
         gl = self._gl
