@@ -20,9 +20,9 @@ from plusedit.scene.camera import Camera
 from plusedit.scene.extents import USUAL, Extent
 from plusedit.scene.items import Item, Label, Polyline, Segments
 
-TEETH = 60  # of a curve, about; between knots three at least
+TEETH = 100  # of a curve, about; between knots three at least
 FINER = 4  # places of the line along the tips for each tooth
-SHARE = 0.12  # of the size of shapes: a tooth where a curve bends as its polygon does in the mean
+SHARE = 0.08  # of the size of shapes: a tooth where a curve bends as its polygon does in the mean
 LONGEST = 0.5  # sizes: longer teeth are cut
 EVEN = 1e-6  # of the size: tips that near are one
 TOLD = 24.0  # pixels, from which on the longest tooth says how much it stands for

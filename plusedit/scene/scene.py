@@ -18,7 +18,7 @@ from plusedit.scene.arrows import direction_arrow
 from plusedit.scene.camera import PlaneCamera
 from plusedit.scene.captions import in_corners
 from plusedit.scene.drawn_surface import surface_grids
-from plusedit.scene.items import Caption, Item, Legend
+from plusedit.scene.items import Caption, Item, Label, Legend, Markers, Words
 from plusedit.scene.map_lines import map_items
 from plusedit.scene.mesh_shapes import mesh_items_in_plane
 from plusedit.scene.options import ViewOptions
@@ -39,15 +39,21 @@ class Layers:
     """What to draw, the first layer and the first item of each farthest back."""
 
     overlays: tuple[Item, ...]
+    """lines and areas"""
     shapes: tuple[Item, ...]
     handles: tuple[Item, ...]
+    marks: tuple[Item, ...] = ()
+    """of overlays, and their words: in front of the shapes, behind handles"""
     legends: tuple[Legend, ...] = ()
     captions: tuple[Caption, ...] = ()
     """all in the same place: they are yet to be stacked"""
 
     def __iter__(self) -> Iterator[Item]:
-        marks = chain(self.overlays, self.shapes, self.handles)
-        return chain(marks, in_corners((*self.legends, *self.captions)))
+        return chain(self.drawing(), in_corners((*self.legends, *self.captions)))
+
+    def drawing(self) -> Iterator[Item]:
+        """All but what is written into the corners."""
+        return chain(self.overlays, self.shapes, self.marks, self.handles)
 
 
 def scene_items(
@@ -122,9 +128,10 @@ def _layers(
     with np.errstate(all="ignore"):
         drawn = [item for item in overlays if is_finite(item)]
         return Layers(
-            tuple(item for item in drawn if not isinstance(item, Legend | Caption)),
+            tuple(item for item in drawn if not isinstance(item, Markers | Words)),
             tuple(filter(is_finite, shapes)),
             tuple(filter(is_finite, handles)),
+            tuple(item for item in drawn if isinstance(item, Markers | Label)),
             tuple(item for item in drawn if isinstance(item, Legend)),
             tuple(item for item in drawn if isinstance(item, Caption)),
         )

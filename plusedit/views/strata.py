@@ -6,7 +6,6 @@ shape costs, however many others there are.
 
 from collections.abc import Collection
 from dataclasses import dataclass, replace
-from itertools import chain
 from time import perf_counter
 
 import numpy as np
@@ -219,5 +218,4 @@ def _layers(
 
 def _paint(painter: QPainter, layers: Layers, look: Look) -> None:
     """Draw all but legends and captions."""
-    marks = chain(layers.overlays, layers.shapes, layers.handles)
-    ItemPainter(painter, look.camera, look.theme, look.draft).paint(marks)
+    ItemPainter(painter, look.camera, look.theme, look.draft).paint(layers.drawing())

@@ -61,7 +61,7 @@ def test_an_empty_design_leaves_the_camera_where_it_is():
 def test_a_picture_shows_the_overlays_and_handles_that_the_design_asks_for():
     design = Design(a_design().shapes, view={"overlays": ["names"], "handles": "none"})
     layers = composed(design, (300.0, 200.0)).layers
-    assert [item.text for item in layers.overlays] == ["wing", "Bow"]
+    assert [item.text for item in layers.marks] == ["wing", "Bow"]
     assert not layers.handles
 
 

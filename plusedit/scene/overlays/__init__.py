@@ -13,10 +13,11 @@ items:
     def surface_nodes(shape: Shape, surface: PlusSurface, seen: Seen) -> Iterator[Item]: ...
 
 They are asked for every visible shape of a design while the overlay is switched on. What they
-draw lies below the curves in the plane; in space depth decides. One that compares shapes is asked
-once, for all of a design (`of_designs`); what goes with the pointer is asked for the point of a
-shape that is under it (`under_pointer`), and drawn in front. Numbers that a person may change, such
-as the scale of a comb, are settings of the overlay.
+draw lies below the curves in the plane, but for marks and words; in space depth decides. One that
+compares shapes is asked once, for all of a design (`of_designs`); what goes with the pointer is
+asked for the point of a shape that is under it (`under_pointer`), and drawn in front. Numbers that
+a person may change, such as the scale of a comb, are settings of the overlay. What it tells in
+words and numbers stands in a corner, as a `Caption`.
 
 An overlay can color surfaces in space instead, by values at the points that are drawn:
 

@@ -4,7 +4,8 @@ G2 is a ring: direction and curvature go on. G1 is a diamond: the curvature jump
 beside it. G0 is a square: there is a corner, of the angle beside it.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
 from math import degrees, isfinite
 from weakref import WeakKeyDictionary
 
@@ -19,9 +20,9 @@ from plusedit.scene.items import Caption, Item, Label, Mark, Markers, Row
 from plusedit.scene.overlays import Seen, overlay
 
 LOOKS: dict[int, tuple[Mark, float, str]] = {
-    2: ("ring", 7.0, "accent"),
-    1: ("diamond", 10.0, "hover"),
-    0: ("square", 9.0, "classical"),
+    2: ("ring", 9.0, "accent"),
+    1: ("diamond", 12.0, "hover"),
+    0: ("square", 10.0, "classical"),
 }
 """Mark, size in pixels and color, by order."""
 NAMES = {2: "smooth (ring)", 1: "curvature jumps (diamond)", 0: "corner (square)"}
@@ -38,10 +39,22 @@ continuity = overlay(
 )
 
 
+@dataclass(frozen=True, eq=False)
+class Told:
+    """Joints as they are shown."""
+
+    counts: tuple[int, int, int]
+    """of order 0, 1 and 2"""
+    items: tuple[Item, ...]
+
+
+_KEPT: "WeakKeyDictionary[PlusCurve, Told]" = WeakKeyDictionary()
+
+
 @continuity.of_curves
-def of_curve(shape: Shape, curve: PlusCurve, seen: Seen) -> Iterator[Item]:
+def of_curve(shape: Shape, curve: PlusCurve, seen: Seen) -> Iterable[Item]:
     """A mark at each knot inside and at the seam; in words where it is not smooth."""
-    return joint_items(_joints(curve), told=(1, 0))
+    return _of_curve(curve).items
 
 
 @continuity.of_designs
@@ -50,42 +63,42 @@ def of_design(design: Design, chosen: frozenset[ShapeId], seen: Seen) -> Iterato
     curves = [curve for shape_id, curve in design.curves() if design[shape_id].visible]
     if not curves:
         return
-    met = meetings(curves)
-    yield from joint_items(met, told=(2, 1, 0))
-    counts = np.zeros(3, dtype=int)
-    for found in (met, *map(_joints, curves)):
-        counts += np.bincount([joint.order for joint in found], minlength=3)
+    met = told(meetings(curves), orders=(2, 1, 0))
+    yield from met.items
+    counts = np.sum([met.counts, *(_of_curve(curve).counts for curve in curves)], axis=0)
     rows = (Row(f"G{order} {NAMES[order]}", str(counts[order]), LOOKS[order][2]) for order in LOOKS)
     yield Caption("Continuity", tuple(rows))
 
 
-def joint_items(found: Sequence[Joint], told: Sequence[int]) -> Iterator[Item]:
-    """Marks for joints, with words beside those of the orders that are to be told."""
-    for order, (mark, size, color) in LOOKS.items():
-        points = [joint.point for joint in found if joint.order == order]
-        if points:
-            fill = None if order == 2 else color
-            outline = color if order == 2 else "canvas"
-            yield Markers(np.stack(points), mark, size, fill, outline, 1.5)
-    words = [joint for joint in found if joint.order in told]
-    for joint in words if len(words) <= FEW else ():
-        yield Label(joint.point, told_of(joint), LOOKS[joint.order][2], ASIDE, "left", WORDS)
-
-
-def told_of(joint: Joint) -> str:
-    """Such as "G0  37.2°", "G1  Δκ 0.42" or "G2"."""
-    if joint.order == 2:
-        return "G2"
-    if joint.order == 1:
-        return f"G1  Δκ {joint.jump:.3g}"
-    return f"G0  {degrees(joint.angle):.3g}°" if isfinite(joint.angle) else "G0  cusp"
-
-
-_KEPT: "WeakKeyDictionary[PlusCurve, tuple[Joint, ...]]" = WeakKeyDictionary()
-
-
-def _joints(curve: PlusCurve) -> tuple[Joint, ...]:
+def _of_curve(curve: PlusCurve) -> Told:
     found = _KEPT.get(curve)
     if found is None:
-        found = _KEPT[curve] = joints(curve)
+        found = _KEPT[curve] = told(joints(curve), orders=(1, 0))
     return found
+
+
+def told(found: Sequence[Joint], orders: Sequence[int]) -> Told:
+    """Marks for joints, with words beside those of some orders."""
+    ranked = [(joint.order, joint) for joint in found]
+    items: list[Item] = []
+    counts = [0, 0, 0]
+    for order, (mark, size, color) in LOOKS.items():
+        points = [joint.point for rank, joint in ranked if rank == order]
+        counts[order] = len(points)
+        if points:
+            fill, outline = (None, color) if order == 2 else (color, "canvas")
+            items.append(Markers(np.stack(points), mark, size, fill, outline, 1.5))
+    words = [joint for order, joint in ranked if order in orders]
+    if len(words) <= FEW:
+        items += [Label(j.point, text_of(j), "text", ASIDE, "left", WORDS) for j in words]
+    return Told((counts[0], counts[1], counts[2]), tuple(items))
+
+
+def text_of(joint: Joint) -> str:
+    """Such as "G0  37.2°", "G1  Δκ 0.42" or "G2"."""
+    order = joint.order
+    if order == 2:
+        return "G2"
+    if order == 1:
+        return f"G1  Δκ {joint.jump:.3g}"
+    return f"G0  {degrees(joint.angle):.3g}°" if isfinite(joint.angle) else "G0  cusp"

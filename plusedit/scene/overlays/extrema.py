@@ -14,7 +14,7 @@ from plusedit.scene.overlays import Seen, overlay
 from plusedit.scene.turning_points import turning_points
 
 FEW = 16  # extrema of a curve up to which values stand beside them
-DIAMOND, SQUARE = 10.0, 7.0  # pixels
+DIAMOND, SQUARE = 12.0, 9.0  # pixels
 WORDS = 10.0  # pixels, the height of letters
 ASIDE = (8.0, -6.0)  # pixels from a mark to its value
 
