@@ -95,6 +95,9 @@ def file_entries(window: "MainWindow") -> Iterator[Entry]:
     yield Entry(
         "export_png", "Export PNG…", "File", flows.export_png, ("Ctrl+Shift+E",), 2, "export"
     )
+    yield Entry("export_figure", "Export figure…", "File", window.figures.export,
+                ("Ctrl+Alt+E",), 2, "export",
+                "PDF, SVG or PNG at a width in millimetres, for print")  # fmt: skip
     yield Entry("export_mesh", "Export mesh…", "File", flows.export_mesh, (), 2, "export",
                 "Curves and surfaces as OBJ, PLY, STL or GLB for other programs")  # fmt: skip
     yield Entry("mesh_report", "Mesh report…", "File", window.side.show_mesh_report, (), 2,
@@ -209,6 +212,10 @@ def view_entries(window: "MainWindow") -> Iterator[Entry]:
     yield Entry("perspective", "Perspective", "View/Look from", view.toggle_perspective,
                 ("Num+5",), 5, checked=lambda: view.is_perspective,
                 hint="In the 3D view, far things are smaller")  # fmt: skip
+    yield Entry("play_s", "Play s", "View", window.sweep.toggle, ("F12",), 4,
+                checked=lambda: window.sweep.is_running,
+                hint="The selected shapes from s = 0 to the end of their family and back; any key "
+                "or click ends it, and all is as before")  # fmt: skip
     yield Entry("frame_all", "Frame all", "View", lambda: panes.active.frame_all(),
                 ("Home",), 6, "frame-all")  # fmt: skip
     yield Entry("frame_selected", "Frame selected", "View", lambda: panes.active.frame_selected(),

@@ -30,6 +30,7 @@ from plusedit.app.autosave import Autosave
 from plusedit.app.clipboard import Clipboard
 from plusedit.app.docks import Docks
 from plusedit.app.entries import all_entries
+from plusedit.app.figure_export import FigureExport
 from plusedit.app.files import Files
 from plusedit.app.flows import Flows, open_elsewhere
 from plusedit.app.notes_bar import NotesBar
@@ -38,6 +39,7 @@ from plusedit.app.settings import Settings
 from plusedit.app.side_windows import SideWindows
 from plusedit.app.start_page import StartPage
 from plusedit.app.status import Status
+from plusedit.app.sweep import Sweep
 from plusedit.app.toolbar import make_toolbar
 from plusedit.app.view_state import ViewState, look_of_program
 from plusedit.document.session import Session
@@ -74,10 +76,12 @@ class MainWindow(QMainWindow):
         self.files = Files(self.desk, settings, self, self.view)
         self.autosave = Autosave(self.session, lambda: self.files.path, autosave_folder)
         self.flows = Flows(self.desk, self.files, self.autosave, self)
+        self.figures = FigureExport(self.desk, self.panes, self.files, settings, self)
         self.clipboard = Clipboard(self.desk, self)
         self.remapping = Remapping(self.desk, self)
         self.magnitude = MagnitudeBar(self.desk)
         self.link = PointerLink(self.desk, self.panes)
+        self.sweep = Sweep(self.desk, self.magnitude.targets, lambda: self.panes.options, self)
         self.side = SideWindows(self)
         self.notes, self.status = NotesBar(), Status(self.desk, self.panes)
         self.start_page = StartPage(self.files.open, self.flows.new, self.files.open)
