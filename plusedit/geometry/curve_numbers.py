@@ -5,6 +5,7 @@ as the leading terms cancel. A rational one has 3 d - 6. A B-spline has that man
 knots; where its curvature jumps, up to order 3, its sense of turning may change at the knots, too.
 """
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from weakref import WeakKeyDictionary
 
@@ -54,6 +55,19 @@ def curve_numbers(curve: PlusCurve) -> CurveNumbers:
 def known_numbers(curve: PlusCurve) -> CurveNumbers | None:
     """The numbers if they are known by now."""
     return _KEPT.get(curve)
+
+
+def together(numbers: Iterable[CurveNumbers]) -> CurveNumbers:
+    """The sums for several curves; those in space have no part in the inflections."""
+    each = tuple(numbers)
+    counts = [one.inflections for one in each if one.inflections is not None]
+    bounds = [one.most for one in each if one.inflections is not None]
+    return CurveNumbers(
+        sum(one.length for one in each),
+        sum(one.energy for one in each),
+        sum(counts) if counts else None,
+        None if None in bounds or not bounds else sum(bound for bound in bounds if bound),
+    )
 
 
 def most_inflections(curve: PlusCurve) -> int | None:

@@ -1,17 +1,20 @@
 """Where captions lie in a picture, and what they are drawn as; pixels from the upper left corner.
 
-They stand in the lower left corner, one upon the other; those for which there is no room are left
-out. Legends have the corner on the right.
+They stand in the lower left corner, one upon the other; those for which there is no room, or which
+would cover the picture, are left out. Legends have the corner on the right.
 """
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 from plusedit.scene.items import Caption, Legend
-from plusedit.scene.legends import LINE, MARGIN, NUMBERS, WORDS, Word, width_of
+from plusedit.scene.legends import MARGIN, NUMBERS, WORDS, Word, width_of
 
-PADDING = 9.0  # around what is in the box
-BETWEEN = 8.0  # from one caption to the next
+PADDING = 7.0  # around what is in the box
+LINE = 15.0  # from one line of words to the next
+SHARE = 0.6  # of the height of a picture: higher, nothing is written but the lowest caption
+NARROWER = 0.9  # of what letters are taken to be wide: what is short may be estimated closely
+BETWEEN = 6.0  # from one caption to the next
 COLUMNS = 14.0  # from the words of a row to its number, at least
 SAMPLE, ASIDE = 14.0, 7.0  # of a color: how long, and from there to the words
 THICK = 3.0  # the line that shows a color
@@ -52,7 +55,8 @@ def placed_caption(caption: Caption, size: tuple[float, float]) -> PlacedCaption
     width, height = _width(caption), _height(caption)
     left = MARGIN + caption.at[0]
     top = size[1] - MARGIN - caption.at[1] - height
-    if top < MARGIN or left + width > size[0] - MARGIN:
+    is_high = caption.at[1] > 0.0 and size[1] - top > SHARE * size[1]
+    if is_high or top < MARGIN or left + width > size[0] - MARGIN:
         return None
     first = top + PADDING + WORDS - 1.0
     words = [Word(left + PADDING, first, caption.title, "text", WORDS)] if caption.title else []
@@ -76,8 +80,8 @@ def _indent(caption: Caption) -> float:
 
 
 def _width(caption: Caption) -> float:
-    texts = max((width_of(row.text, NUMBERS) for row in caption.rows), default=0.0)
-    values = max((width_of(row.value, NUMBERS) for row in caption.rows), default=0.0)
+    texts = max((NARROWER * width_of(row.text, NUMBERS) for row in caption.rows), default=0.0)
+    values = max((NARROWER * width_of(row.value, NUMBERS) for row in caption.rows), default=0.0)
     inner = _indent(caption) + texts + (COLUMNS + values if values else 0.0)
     return 2.0 * PADDING + max(inner, width_of(caption.title, WORDS))
 

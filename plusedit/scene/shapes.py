@@ -82,7 +82,14 @@ def overlay_items(
             numbers = entry.numbers(options.settings)
             for shape_id, shape, geometry in shown:
                 found = _findings(entry, geometry, numbers, wait)
-                seen = Seen(camera, lines.get(shape_id, ()), numbers, design, found)
+                seen = Seen(
+                    camera,
+                    lines.get(shape_id, ()),
+                    numbers,
+                    design,
+                    found,
+                    shape_id in selection.shapes,
+                )
                 yield from entry.draw(shape, geometry, seen)
 
 

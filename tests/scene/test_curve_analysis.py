@@ -10,6 +10,7 @@ from plusedit.geometry.bases.bernstein import Bernstein
 from plusedit.geometry.bases.bspline import BSpline
 from plusedit.geometry.continuity import joints
 from plusedit.geometry.curve import PlusCurve
+from plusedit.geometry.curve_numbers import curve_numbers, known_numbers
 from plusedit.geometry.lines import ControlLines
 from plusedit.scene.camera import PlaneCamera
 from plusedit.scene.items import Caption, Label, Markers, Polyline, Segments
@@ -168,6 +169,26 @@ def test_numbers_of_the_selected_curves_are_told():
     assert rows["length"] == "3.14159 units"
     assert rows["bending energy"] == "0.785398 / unit"
     assert rows["inflections"] == "0 of at most 0"
+
+
+def test_of_several_curves_the_sums_are_told_while_none_is_selected():
+    (caption,) = of_design("numbers", quarter(), wave(), quarter())
+    assert caption.title == "3 curves together"
+    one, all_three = curve_numbers(quarter()), caption.rows
+    assert float(all_three[0].value.split()[0]) > 2.0 * one.length
+    assert all_three[2].value == "1 of at most 2"
+
+
+@pytest.mark.parametrize("name", ["extrema", "numbers"])
+def test_of_very_many_curves_only_the_selected_are_worked_on(name):
+    many = [wave() for _ in range(250)]
+    before = sum(known_numbers(curve) is not None for curve in many)
+    (caption, *_) = of_design(name, *many, chosen=["3"]) or [None]
+    assert caption is not None
+    assert "1" in {row.value[:1] for row in caption.rows}
+    assert sum(known_numbers(curve) is not None for curve in many) <= before + 1
+    rest = of_design(name, *many)
+    assert not rest or "select" in rest[0].rows[0].text
 
 
 def test_while_an_edit_goes_on_what_is_not_known_is_told_later():

@@ -91,6 +91,8 @@ class Seen:
     """what else there is, so that sizes may be the same for all of it"""
     findings: object = None
     """what was found beside of a mesh (`finding_of_meshes`); None while it is not known"""
+    is_selected: bool = False
+    """whether the shape is"""
     is_hurried: bool = False
     """whether an edit is going on, and what takes its time can be told once it rests; of designs"""
 
