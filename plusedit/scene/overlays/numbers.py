@@ -5,18 +5,17 @@ what takes longer is told again once it rests.
 """
 
 from collections.abc import Iterator, Sequence
-from math import isfinite
 
 from plusedit.document.design import Design
 from plusedit.document.shape import ShapeId
 from plusedit.geometry.curve import PlusCurve
-from plusedit.geometry.curve_numbers import CurveNumbers, curve_numbers, known_numbers, together
+from plusedit.geometry.curve_numbers import curve_numbers, known_numbers, together
+from plusedit.scene.curve_words import energy_text, inflections_text, length_text
 from plusedit.scene.items import Caption, Item, Row
 from plusedit.scene.overlays import Seen, overlay
 
 MANY = 100  # curves, of which none are told of together: each takes some milliseconds
 FEW = 3  # curves that are told of one by one
-DIGITS = 6
 LATER = "…"
 
 numbers = overlay(
@@ -50,20 +49,3 @@ def _rows(curves: Sequence[PlusCurve], seen: Seen) -> Iterator[Row]:
     yield Row("bending energy", LATER if is_later else energy_text(found))
     if any(curve.dimension == 2 for curve in curves):
         yield Row("inflections", LATER if is_later else inflections_text(found))
-
-
-def length_text(known: CurveNumbers) -> str:
-    """Such as "3.14159 units"."""
-    return f"{known.length:.{DIGITS}g} units"
-
-
-def energy_text(known: CurveNumbers) -> str:
-    """Such as "6.28319 / unit"."""
-    return f"{known.energy:.{DIGITS}g} / unit" if isfinite(known.energy) else "∞ (cusp)"
-
-
-def inflections_text(known: CurveNumbers) -> str:
-    """Such as "2 of at most 4"; empty of curves in space."""
-    if known.inflections is None:
-        return ""
-    return str(known.inflections) + ("" if known.most is None else f" of at most {known.most}")

@@ -9,6 +9,7 @@ from plusedit.views.face_form import FaceForm
 from plusedit.views.fit_form import FitForm
 from plusedit.views.line_form import LineForm
 from plusedit.views.live import LiveWidget, quiet, rule
+from plusedit.views.numbers_form import NumbersForm
 from plusedit.views.panels import panel
 from plusedit.views.shape_form import ShapeForm
 
@@ -29,6 +30,7 @@ class Inspector(LiveWidget):
         self._shape = ShapeForm(desk)
         self._rule = rule()
         self._lines = LineForm(desk)
+        self._numbers = NumbersForm()
         self._fit = FitForm(desk)
         self._constraints = ConstraintForm(desk)
         self._faces = FaceForm(desk)
@@ -44,6 +46,7 @@ class Inspector(LiveWidget):
             self._faces,
             self._rule,
             self._shape,
+            self._numbers,
             self._fit,
             self._constraints,
         ):
@@ -66,6 +69,7 @@ class Inspector(LiveWidget):
         self._rule.setVisible(bool(targets))
         if shapes:
             self._shape.show_shapes(shapes)
+        self._numbers.show_curves({i: s.curve for i, s in shapes.items() if s.curve is not None})
         self._fit.show_shapes(shapes)
         self._constraints.show_shapes(shapes)
         geometries = {i: shape.geometry for i, shape in shapes.items()}
