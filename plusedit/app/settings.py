@@ -129,6 +129,15 @@ class Settings:
     def mesh_options(self, tree: Mapping[str, object]) -> None:
         self._stored.setValue("mesh_options", json.dumps(dict(tree)))
 
+    @property
+    def figure(self) -> dict[str, object]:
+        """How the last figure was exported."""
+        return self._tree("figure")
+
+    @figure.setter
+    def figure(self, tree: Mapping[str, object]) -> None:
+        self._stored.setValue("figure", json.dumps(dict(tree)))
+
     def bytes_of(self, name: str) -> QByteArray:
         """Bytes that Qt gave to keep, such as the places of docks; empty if there are none."""
         value = self._stored.value(name)

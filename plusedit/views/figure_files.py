@@ -21,7 +21,7 @@ def figure_file(figure: Figure, suffix: str, resolution: float, title: str = "")
     neither a display nor a running application. ValueError, in a sentence, for more pixels than
     there may be; OpenGLError where there is no OpenGL for what is in space.
     """
-    check_resolution(figure, resolution)
+    check_resolution(figure.form.width, resolution, figure.size[1])
     application = running_application(in_space=figure.space is not None)
     data = _WRITERS[suffix](figure, resolution, title)
     # Fonts and pixels belong to the application: it has to live until here.
@@ -29,15 +29,15 @@ def figure_file(figure: Figure, suffix: str, resolution: float, title: str = "")
     return data
 
 
-def check_resolution(figure: Figure, resolution: float) -> None:
-    """ValueError, in a sentence, for pixels that are too many or make no sense."""
+def check_resolution(width: float, resolution: float, height: float = 0.0) -> None:
+    """ValueError, in a sentence, for pixels that are too many or make no sense; millimetres."""
     least, most = RESOLUTIONS
     if not least <= resolution <= most:
         raise ValueError(f"A figure has {least:g} to {most:g} pixels to an inch.")
-    width, height = figure.pixels(resolution)
-    if width * height > MOST_PIXELS:
+    across, upwards = (round(side / 25.4 * resolution) for side in (width, height))
+    if across * upwards > MOST_PIXELS:
         raise ValueError(
-            f"At {resolution:g} pixels to an inch the figure would have {width} by {height} "
+            f"At {resolution:g} pixels to an inch the figure would have {across} by {upwards} "
             f"pixels; {MOST_PIXELS // 1_000_000} million are the most."
         )
 

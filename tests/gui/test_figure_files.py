@@ -69,6 +69,6 @@ def test_a_png_knows_how_large_it_is_in_print(qapp):
 def test_a_figure_of_too_many_pixels_is_refused_in_a_sentence(qapp):
     figure = plane_figure(PLANE, FigureForm(2000.0))
     with pytest.raises(ValueError, match=r"million are the most\.$"):
-        check_resolution(figure, 2400.0)
+        check_resolution(2000.0, 2400.0, 1500.0)
     with pytest.raises(ValueError, match=r"pixels to an inch\.$"):
         figure_file(figure, ".png", 1.0)
