@@ -5,6 +5,7 @@ all lines at u = 1, P2_i = L_i(1), and C(u) = (1 - u) C_1(u) + u C_2(u): eq. 11 
 """
 
 from collections.abc import Iterator
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
@@ -23,6 +24,9 @@ MARKS: tuple[tuple[str, Mark, Dash, str], ...] = (
     (SECOND, "square", "dash", "P2"),
 )
 
+_KEPT: "WeakKeyDictionary[PlusCurve, tuple[PlusCurve, PlusCurve]]" = WeakKeyDictionary()
+"""What is drawn of a curve is kept with it: so its parents are."""
+
 parents = overlay(
     "parents", title="Parent curves", order=12, shortcut="Shift+U", group="Constructions"
 )
@@ -36,7 +40,7 @@ def of_curve(shape: Shape, curve: PlusCurve, seen: Seen) -> Iterator[Item]:
     """
     if curve.closed:
         return
-    two = parents_of(curve)
+    two = _kept(curve)
     first, second = (parent.lines.points for parent in two)
     yield Segments(first, second, "quiet@60", 1.0, "dot")
     for parent, (color, mark, dash, name) in zip(two, MARKS, strict=True):
@@ -66,8 +70,14 @@ def at_place(
     """The points of both parents that make the point under the pointer."""
     if not isinstance(geometry, PlusCurve) or geometry.closed:
         return
-    (first,), (second,) = (parent.at(place) for parent in parents_of(geometry))
+    (first,), (second,) = (parent.at(place) for parent in _kept(geometry))
     yield Segments(first[None], second[None], "hover", 1.5)
     for at, (color, mark, _, _) in zip((first, second), MARKS, strict=True):
         yield Markers(at[None], mark, 8.0, color, "canvas", 1.0)
     yield Markers(np.atleast_2d(geometry.at(place)), "circle", 8.0, "hover", "canvas", 1.0)
+
+
+def _kept(curve: PlusCurve) -> tuple[PlusCurve, PlusCurve]:
+    if curve not in _KEPT:
+        _KEPT[curve] = parents_of(curve)
+    return _KEPT[curve]
