@@ -33,12 +33,13 @@ class NumbersForm(QWidget):
         self._form.setSpacing(4)
         for name, label in (
             ("Length", self.length),
-            ("Bending energy", self.energy),
+            ("Bending", self.energy),
             ("Inflections", self.inflections),
         ):
             label.setFont(tabular(label.font()))
             label.setAccessibleName(f"{name.lower()} of the curve")
             self._form.addRow(row_label(name), label)
+        self.energy.setToolTip("The integral of the squared curvature along the curve")
         self.inflections.setToolTip(BOUND)
 
     def show_curves(self, curves: Mapping[ShapeId, PlusCurve]) -> None:
