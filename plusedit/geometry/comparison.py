@@ -25,10 +25,9 @@ from plusedit.geometry.bases.bernstein import Bernstein
 from plusedit.geometry.bases.bspline import BSpline
 from plusedit.geometry.blend import blends_at
 from plusedit.geometry.curve import PlusCurve
-from plusedit.geometry.fitting import curve_of_gradients, parameters_by_length, tamed
+from plusedit.geometry.fitting import curve_of_gradients, parameters_by_length
 from plusedit.geometry.lines import ControlLines
 from plusedit.geometry.matrices import dense
-from plusedit.geometry.residual import residual
 from plusedit.geometry.storage import stored_numbers
 from plusedit.geometry.surface import PlusSurface
 
@@ -42,7 +41,7 @@ FEET = 2  # steps toward the feet of the points, each time
 GAIN = 2e-3  # of the distances: a step that brings less is in vain
 MISSES = 6  # so many steps in vain are the last
 ENOUGH = 1e-10  # of the size of the points: distances that need not be any less
-STRETCH = 20.0  # how much faster or slower than by length a parameter may run
+CLOSEST = 1e-3  # of even steps: parameters are that far apart at least
 RELUCTANCE = 1e-12  # how unwillingly unknowns move, of how willingly at most
 EASED = 0.4  # times what distances along the curve count after a step that helped
 RANK = 1e-11  # of the largest singular value: smaller ones are taken to be zero
@@ -121,16 +120,15 @@ def fit_curve(
     """The curve of that family with so many control elements that is nearest to the points.
 
     It begins at the first of the points (m, dim) and ends at the last. Parameters (m,) that other
-    fits have found `before` are tried, too. Distances are those of the points from the curve,
-    wherever it is nearest.
+    fits have found `before` are tried, too. Distances are those of the points from their feet on
+    the curve, in the same order: where it leaves out a loop, it is far away.
     """
     task = _Task(basis_of(kind, size, order), is_plus(kind), points)
-    starts = [task.feet(task.first(u), u) for u in (parameters_by_length(points), *before)]
+    starts = [task.state(task.first(u), u) for u in (parameters_by_length(points), *before)]
     tried = [_descended(task, start, TRIAL, check) for start in starts]
     best = _descended(task, min(tried, key=lambda state: state.rms), STEPS, check)
-    curve = task.curve(best.unknowns)
-    found = residual(curve, points)
-    return Fit(kind, curve, found.largest, found.rms, best.u)
+    largest = float(np.linalg.norm(best.away, axis=1).max())
+    return Fit(kind, task.curve(best.unknowns), largest, best.rms, best.u)
 
 
 def even_points(curve: PlusCurve, count: int) -> Floats:
@@ -206,7 +204,7 @@ class _Task:
 
     def feet(self, unknowns: Floats, u: Floats) -> "_State":
         """The parameters moved to the feet of the points, in the same order, from 0 to 1."""
-        curve, usual = self.curve(unknowns), np.diff(parameters_by_length(self.points))
+        curve = self.curve(unknowns)
         for _ in range(FEET):
             at, velocity, bend = curve.derivatives(u)
             away = self.points - at
@@ -216,9 +214,13 @@ class _Task:
             ahead = (away * velocity).sum(axis=1)
             u = u + np.divide(ahead, slope, out=np.zeros_like(ahead), where=slope > 0.0)
             u[0], u[-1] = 0.0, 1.0
-            steps = tamed(np.diff(u), usual, STRETCH)
-            u = np.concatenate([[0.0], np.cumsum(steps[:-1]), [1.0]])
-        at, velocity = curve.derivatives(u, highest=1)
+            steps = np.maximum(np.diff(u), CLOSEST / len(u))
+            u = np.concatenate([[0.0], np.cumsum(steps[:-1]) / steps.sum(), [1.0]])
+        return self.state(unknowns, u)
+
+    def state(self, unknowns: Floats, u: Floats) -> "_State":
+        """The curve with the parameters as they are."""
+        at, velocity = self.curve(unknowns).derivatives(u, highest=1)
         return _State(unknowns, u, self.points - at, unit(velocity))
 
 

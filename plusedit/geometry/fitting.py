@@ -250,10 +250,10 @@ def _corrected(curve: PlusCurve, task: _Task) -> _Task:
     """The task with parameters moved toward the feet of the points, in the same order."""
     u = _feet(curve, task)
     if task.closed:
-        steps = tamed(np.diff(u, append=u[0] + 1.0), task.steps)
+        steps = _tamed(np.diff(u, append=u[0] + 1.0), task.steps)
         return replace(task, u=u[0] + np.concatenate([[0.0], np.cumsum(steps[:-1])]))
     for start, stop in pairwise(task.pinned):
-        steps = tamed(np.diff(u[start : stop + 1]), task.steps[start:stop])
+        steps = _tamed(np.diff(u[start : stop + 1]), task.steps[start:stop])
         u[start + 1 : stop] = u[start] + np.cumsum(steps[:-1])
     return replace(task, u=u)
 
@@ -269,12 +269,12 @@ def _feet(curve: PlusCurve, task: _Task) -> Floats:
     return u
 
 
-def tamed(steps: Floats, usual: Floats, stretch: float = STRETCH) -> Floats:
+def _tamed(steps: Floats, usual: Floats) -> Floats:
     """Steps of the parameter, none much shorter or longer than by length, with the same sum.
 
     The feet on a curve that is still far away would bring whole stretches of points together.
     """
-    tamed: Floats = np.clip(steps, usual / stretch, usual * stretch)
+    tamed: Floats = np.clip(steps, usual / STRETCH, usual * STRETCH)
     total = float(tamed.sum())
     if total > 0.0:
         tamed *= float(steps.sum()) / total

@@ -36,10 +36,16 @@ def test_it_has_so_many_control_elements_and_meets_both_ends(kind):
 @every_kind
 def test_distances_are_those_of_the_nearest_points_of_the_curve(kind):
     points = a_wave()
-    fit = fit_curve(points, kind, 6)
+    fit = fit_curve(points, kind, 9)
     feet = fit.shape.at(nearest_parameters(fit.shape, points))
     apart = np.linalg.norm(points - feet, axis=1)
     assert_allclose([fit.largest, fit.rms], [apart.max(), np.sqrt(np.mean(apart**2))], rtol=1e-3)
+
+
+def test_parameters_of_the_points_keep_their_order():
+    u = fit_curve(a_wave(), "bspline+", 5).u
+    assert (np.diff(u) > 0.0).all()
+    assert_allclose(u[[0, -1]], [0.0, 1.0])
 
 
 @every_kind
