@@ -22,6 +22,7 @@ from plusedit.views.painter import color_of, font_of, painting, pen_of
 
 LEFT, RIGHT, TOP, BOTTOM = 46.0, 12.0, 26.0, 22.0  # pixels around what is plotted
 NUMBERS, WORDS = 11.0, 12.0  # heights of letters
+MARK_BELOW = 30.0  # pixels from the top to the base line: below a legend inside
 SAMPLE = 14.0  # of a line in the legend
 HANDLE = 5.0  # radius of the grip of a cursor that can be dragged
 NEAR = 7.0  # pixels within which a mark holds the cursor
@@ -232,7 +233,7 @@ class PlotView(QWidget):
             width = metrics.horizontalAdvance(mark.text)
             left = x + 3.0 if x + 3.0 + width < area.right() else x - 3.0 - width
             painter.setPen(self._color(mark.color))
-            painter.drawText(QPointF(left, area.top() + 11.0), mark.text)
+            painter.drawText(QPointF(left, area.top() + MARK_BELOW), mark.text)
 
     def _paint_line(self, painter: QPainter, plot: Plot, line: PlotLine) -> None:
         area = self._area()
