@@ -28,6 +28,7 @@ from plusedit.app import menus
 from plusedit.app.actions import ActionTable, Entry
 from plusedit.app.autosave import Autosave
 from plusedit.app.clipboard import Clipboard
+from plusedit.app.constraint_notices import ConstraintNotices
 from plusedit.app.docks import Docks
 from plusedit.app.entries import all_entries
 from plusedit.app.figure_export import FigureExport
@@ -84,6 +85,7 @@ class MainWindow(QMainWindow):
         self.sweep = Sweep(self.desk, self.magnitude.targets, lambda: self.panes.options, self)
         self.side = SideWindows(self)
         self.notes, self.status = NotesBar(), Status(self.desk, self.panes)
+        self.notices = ConstraintNotices(self.desk, self.view)
         self.start_page = StartPage(self.files.open, self.flows.new, self.files.open)
         self.stack = QStackedWidget()
         self._lay_out()
