@@ -222,3 +222,21 @@ def test_overlays_are_added_to_those_of_the_design_and_taken_away(tmp_path):
     assert drawn("--overlay", "comb", "--overlay", "extrema").count("<text") > own.count("<text")
     assert drawn("--no-overlay", "hulls").count("<polygon") < own.count("<polygon")
     assert drawn("--overlay", "comb", "--no-overlay", "hulls").count("Curvature comb") == 1
+
+
+@pytest.mark.parametrize("suffix", ["png", "svg"])
+def test_copies_for_several_s_stand_side_by_side(tmp_path, suffix):
+    figure = next(path for path in example_files() if path.stem == "figure_5")
+    out = tmp_path / f"row.{suffix}"
+    words = ["render", str(figure), str(out), "--size", "400x200"]
+    assert main([*words, "--multiples", "s=0,0.5L,L"]) == 0
+    assert out.stat().st_size > 1000
+    if suffix == "svg":
+        text = out.read_text(encoding="utf-8")
+        assert all(f"(b), s = {s}<" in text for s in ("0", "0.5 L", "L"))
+
+
+def test_values_of_s_that_make_no_sense_are_refused(document, tmp_path, capsys):
+    words = ["render", str(document), str(tmp_path / "row.png"), "--multiples", "0,half"]
+    assert main(words) == 2
+    assert "0.5L" in capsys.readouterr().err
