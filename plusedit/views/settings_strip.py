@@ -141,6 +141,8 @@ class SettingsStrip(QWidget):
             self._fields[name] = field
             for column, widget in enumerate((label, field, arrows)):
                 self._rows.addWidget(widget, row, column)
+                # Of a strip in sight, a layout leaves out what is not shown yet.
+                widget.show()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.Resize:

@@ -43,6 +43,16 @@ def test_it_is_there_while_an_overlay_with_numbers_is_on(window, strip):
     assert not strip.isVisible()
 
 
+def test_numbers_that_replace_others_have_room(window, strip):
+    window.view.toggle_overlay("comb")
+    window.view.toggle_overlay("gaussian")
+    QApplication.processEvents()
+    window.view.toggle_overlay("zebra")
+    [field] = [found for found in strip.findChildren(SettingField) if found.isVisible()]
+    assert strip.rect().contains(field.geometry())
+    assert field.geometry().height() >= field.minimumSizeHint().height()
+
+
 def test_it_keeps_to_the_corner_of_the_view(window, strip):
     window.resize(1100, 700)
     QApplication.processEvents()
