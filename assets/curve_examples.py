@@ -123,17 +123,19 @@ def panels(
     curves: Sequence[PlusCurve],
     columns: int,
     gap: float = 2.0,
+    below: float | None = None,
     extent: Callable[[PlusCurve], Floats] = lambda curve: curve.lines.points,
 ) -> Iterator[Layer]:
     """Curves named (a), (b), ... in rows of so many, in cells that the extents of all fit in.
 
-    Control points stand in the middle of a cell, so that panels can be compared.
+    Between rows there is `below`, or else as much as between columns. Control points stand in the
+    middle of a cell, so that panels can be compared.
     """
     middles = [(c.lines.points.min(axis=0) + c.lines.points.max(axis=0)) / 2.0 for c in curves]
     reach = [extent(c) - middle for c, middle in zip(curves, middles, strict=True)]
     low = np.min([r.min(axis=0) for r in reach], axis=0)
     high = np.max([r.max(axis=0) for r in reach], axis=0)
-    width, height = high - low + gap
+    width, height = high - low + (gap, gap if below is None else below)
     for number, (curve, middle) in enumerate(zip(curves, middles, strict=True)):
         place = np.array([number % columns * width, -(number // columns) * height])
         yield f"({'abcdef'[number]})", moved(curve, place - middle), Style()

@@ -72,7 +72,7 @@ def figure_1() -> Design:
         "(a) A Bezier curve. (b) to (d) Bezier+ curves of the same control points with growing"
         " gradient magnitude s: 0.25, 0.5 and 0.75 times the length of the control polygon."
     )
-    return design(panels(growing(), 2), about, "names polygon")
+    return design(panels(growing(), 2, 2.0, 3.4), about, "names polygon")
 
 
 def figure_2() -> Design:
@@ -105,7 +105,7 @@ def figure_4() -> Design:
         "The Bezier+ curves of Figures 1 and 2, each a blend of two Bezier curves (red). It lies"
         " in the convex hull (blue) of the union of their convex hulls (pink)."
     )
-    curves = panels(growing()[1:] + turning(), 3, 1.2, parent_points)
+    curves = panels(growing()[1:] + turning(), 3, 1.2, 2.4, parent_points)
     return design(curves, about, "hulls names", "none")
 
 
@@ -124,7 +124,7 @@ def figure_6() -> Design:
         " (b) The same with a smaller gradient magnitude s. (c) The same as (a) with the"
         " direction at the upper right control point reversed."
     )
-    curves = [bspline(QUAD, s, closed=True) for s in (0.5, 0.25, 0.5)]
+    curves = [bspline(QUAD, s, closed=True) for s in (0.45, 0.2, 0.45)]
     curves[2] = turned(curves[2], {2: 180.0})
     return design(panels(curves, 3), about, "classical names polygon", "all")
 

@@ -134,24 +134,27 @@ class Panel:
 
 
 def figure_8() -> Design:
-    """A terrain, an animal and a bone, each at two levels of smoothness."""
-    eye = Eye((-1.1, 0.0, -0.1), 7.1, 0.0, 0.5, perspective=False)
-    panels = (
-        Panel(land(51, 39), -35.0, 3.6, ROCK),
-        Panel(body("rabbit", 1.55), -35.0, 2.7, FUR),
-        Panel(body("femur", 1.55), -140.0, 3.1, BONE),
+    """A terrain, an animal and a bone: each as a mesh, and at two levels of smoothness."""
+    eye = Eye((0.0, 0.0, 0.0), 11.4, 0.0, 0.5, perspective=False)
+    bodies = (
+        Panel(land(43, 32), -35.0, 3.3, ROCK),
+        Panel(body("rabbit", 1.62), -35.0, 2.6, FUR),
+        Panel(body("femur", 1.8), -140.0, 3.0, BONE),
     )
     about = (
-        "Polygon meshes as RaG+ surfaces: (a) to (c) with the smoothness S = 0.7, close to the"
-        " mesh; (d) to (f) with S = 3, where detail is gone. The paper shows Mount St. Helens,"
+        "Polygon meshes and RaG+ surfaces that approximate them. (a), (d), (g) The meshes: a"
+        " canyon, a rabbit and a femur. (b), (e), (h) With the smoothness S = 0.7, close to the"
+        " mesh. (c), (f), (i) With S = 3, where detail is gone. The paper shows the Grand Canyon,"
         " the Stanford bunny and a knee; these three meshes are computed, for want of data that"
         " could be given away."
     )
     layers = []
-    for row, smoothness in enumerate(LEVELS):
-        for x, panel, letter in zip((-3.7, 0.0, 2.8), panels, "abcdef"[3 * row :], strict=False):
-            placed = panel.at(np.array([x, 0.0, 1.75 - 3.5 * row]), smoothness)
-            layers.append((f"({letter})", placed, Style(panel.color)))
+    for row, panel in enumerate(bodies):
+        for column, smoothness in enumerate((LEVELS[0], *LEVELS)):
+            place = np.array([4.4 * (column - 1), 0.0, (3.7, 0.2, -4.2)[row]])
+            style = Style(panel.color, facets=column == 0)
+            letter = "abcdefghi"[3 * row + column]
+            layers.append((f"({letter})", panel.at(place, smoothness), style))
     return mesh_scene(layers, about, eye, "names")
 
 

@@ -169,6 +169,7 @@ styles = st.builds(
     Style,
     st.none() | st.from_regex("#[0-9a-f]{6}", fullmatch=True),
     st.none() | st.floats(0.0, 1e6),
+    st.booleans(),
 )
 shapes = st.builds(
     Shape,

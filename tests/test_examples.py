@@ -288,13 +288,18 @@ def test_the_canyon_is_cut_deep_and_drains():
     assert (rows.min(axis=1) < plateau - 0.1 * np.ptp(z)).all()
 
 
-def test_figure_8_shows_every_mesh_at_two_levels():
-    panels = list(meshes("figure_8").values())
-    for detailed, smooth in zip(panels[:3], panels[3:], strict=True):
+def test_figure_8_shows_every_mesh_and_its_surface_at_two_levels():
+    shapes = spatial("figure_8")
+    assert list(shapes) == [f"({letter})" for letter in "abcdefghi"]
+    for row in ("abc", "def", "ghi"):
+        panels = [shapes[f"({letter})"] for letter in row]
+        assert [shape.style.facets for shape in panels] == [True, False, False]
+        itself, detailed, smooth = (shape.mesh for shape in panels)
         assert detailed.smoothness < smooth.smoothness
-        assert_array_equal(detailed.mesh.corners, smooth.mesh.corners)
-        ahead = [each.mesh.vertices - each.mesh.vertices[0] for each in (detailed, smooth)]
-        assert_allclose(*ahead, atol=3e-4)
+        for other in (detailed, smooth):
+            assert_array_equal(itself.mesh.corners, other.mesh.corners)
+            ahead = [each.mesh.vertices - each.mesh.vertices[0] for each in (itself, other)]
+            assert_allclose(*ahead, atol=3e-4)
 
 
 def test_every_example_has_a_picture_in_each_theme():

@@ -36,6 +36,8 @@ class Style:
     """"#rrggbb" """
     width: float | None = None
     """of the stroke, in logical pixels"""
+    facets: bool = False
+    """whether the 3D view shows a mesh itself, with flat faces, and not its surface"""
 
     def __post_init__(self) -> None:
         if self.color is not None and not COLOR.fullmatch(self.color):

@@ -35,7 +35,9 @@ def values_of(
         if isinstance(geometry, PlusSurface):
             grids = surface_grids(geometry, camera, draft=draft)
             values[shape_id] = surface_values(entry, geometry, grids, numbers)
-    for shape_id, _, surface in shown_meshes(design, only) if not options.facets else ():
+    for shape_id, shape, surface in shown_meshes(design, only):
+        if options.facets or shape.style.facets:
+            continue
         drawing = drawing_of(surface, wait=wait)
         find = mesh_values if wait else known_values
         values[shape_id] = find(entry, surface, drawing, numbers)

@@ -63,7 +63,8 @@ def mesh_items_in_space(
     colors: Colors | None = None,
 ) -> Iterator[Item]:
     """The surface shaded, its edges and, unless it is a draft, its silhouette."""
-    drawing = faceted(surface.mesh) if options.facets else drawing_of(surface, wait=wait)
+    is_itself = options.facets or shape.style.facets
+    drawing = faceted(surface.mesh) if is_itself else drawing_of(surface, wait=wait)
     yield mesh_item(shape, drawing, colors)
     if options.wire:
         yield edge_item(drawing, "edges", WIRE)

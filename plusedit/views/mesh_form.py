@@ -1,11 +1,15 @@
 """The numbers of selected surfaces of meshes."""
 
+from dataclasses import replace
+
 from PySide6.QtWidgets import QCheckBox, QFormLayout, QLabel, QWidget
 
+from plusedit.commands.base import Command, Together
 from plusedit.commands.curves import SetMagnitude
 from plusedit.commands.meshes import SetAreaWeights, SetSmoothness
+from plusedit.commands.shapes import SetStyle
 from plusedit.document.map_record import map_of
-from plusedit.document.shape import ShapeId
+from plusedit.document.shape import ShapeId, Style
 from plusedit.geometry.mesh.maps import maps
 from plusedit.geometry.mesh.mesh_surface import MeshSurface
 from plusedit.views.basis_form import row_label
@@ -25,6 +29,9 @@ class MeshForm(QWidget):
         self.magnitude = NumberField("s of meshes", self._set_magnitude, step=0.05)
         self.weights = QCheckBox("Weigh faces by area")
         self.weights.clicked.connect(self._set_weights)
+        self.facets = QCheckBox("Show the mesh itself")
+        self.facets.setToolTip("In the 3D view, with flat faces, in place of the surface")
+        self.facets.clicked.connect(self._set_facets)
         self.counts = QLabel()
         self.map, self.domain = QLabel(), QLabel()
         for label in (self.counts, self.map):
@@ -36,6 +43,7 @@ class MeshForm(QWidget):
         form.addRow(row_label("S"), self.smoothness)
         form.addRow(row_label("s"), self.magnitude)
         form.addRow(row_label(""), self.weights)
+        form.addRow(row_label(""), self.facets)
         form.addRow(row_label("Mesh"), self.counts)
         form.addRow(row_label("Map"), self.map)
         form.addRow(row_label("Domain"), self.domain)
@@ -48,6 +56,7 @@ class MeshForm(QWidget):
         self.smoothness.show_value(common(mesh.smoothness for mesh in surfaces))
         self.magnitude.show_value(common(mesh.s for mesh in surfaces))
         self.weights.setChecked(bool(common(mesh.area_weights for mesh in surfaces)))
+        self.facets.setChecked(bool(common(self._style_of(i).facets for i in meshes)))
         faces = sum(mesh.mesh.face_count for mesh in surfaces)
         vertices = sum(mesh.mesh.vertex_count for mesh in surfaces)
         self.counts.setText(f"{faces:,} faces, {vertices:,} vertices")
@@ -60,6 +69,16 @@ class MeshForm(QWidget):
         if record is None:
             return "unknown"
         return maps[record.name].title if record.name in maps else record.name
+
+    def _style_of(self, shape_id: ShapeId) -> Style:
+        return self._desk.session.design[shape_id].style
+
+    def _set_facets(self, is_itself: bool) -> None:
+        edits: tuple[Command, ...] = tuple(
+            SetStyle((i,), replace(self._style_of(i), facets=is_itself)) for i in self._meshes
+        )
+        name = "Show the mesh itself" if is_itself else "Show the surface of the mesh"
+        self._desk.commit(Together(name, edits))
 
     def _set_smoothness(self, value: float) -> str:
         return self._desk.commit(SetSmoothness(dict.fromkeys(self._meshes, value)))

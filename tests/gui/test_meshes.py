@@ -147,6 +147,11 @@ def test_the_inspector_shows_and_takes_the_numbers_of_a_mesh(qtbot, landscape):
     assert form.counts.text() == "36 faces, 49 vertices"
     type_into(qtbot, form.smoothness, "2")
     type_into(qtbot, form.magnitude, "0.25")
+    form.facets.click()
+    assert all(shape.style.facets for shape in landscape.session.design.shapes.values())
+    landscape.undo()
+    inspector.refresh()
+    assert not form.facets.isChecked()
     form.weights.click()
     assert (hill(landscape).smoothness, hill(landscape).s) == (2.0, 0.25)
     assert hill(landscape).area_weights

@@ -297,6 +297,13 @@ def test_the_mesh_itself_is_drawn_where_that_is_asked_for():
     assert set(map(tuple, rim.starts)) <= set(map(tuple, mesh.vertices))
 
 
+def test_one_mesh_alone_may_be_shown_itself():
+    design = a_landscape(style=Style(facets=True))
+    shown = the_mesh(space_items(design, CAMERA, BARE))
+    asked = the_mesh(space_items(a_landscape(), CAMERA, replace(BARE, facets=True)))
+    assert len(shown.points) == len(asked.points) == len(a_hill().mesh.corners)
+
+
 def test_a_mesh_is_framed():
     camera = framed_in_space(a_landscape(), CAMERA, BARE)
     screen = camera.to_screen(a_hill().mesh.vertices)

@@ -37,7 +37,7 @@ VERSION = 1
 
 TOP = frozenset({"format", "version", "shapes", "view"})
 SHARED = frozenset({"id", "kind", "name", "visible", "locked", "style", CONSTRAINTS})
-STYLE = frozenset({"color", "width"})
+STYLE = frozenset({"color", "width", "facets"})
 
 KEYS = {"curve": CURVE_KEYS, "surface": SURFACE_KEYS, "mesh": MESH_KEYS}
 """By kind: what a shape has besides what all have."""
@@ -161,6 +161,7 @@ def _style(value: Json) -> tuple[Style, Object]:
         style = Style(
             text(tree["color"], "color") if "color" in tree else None,
             number(tree["width"], "width") if "width" in tree else None,
+            flag(tree.get("facets", False), "facets"),
         )
         unknown = kept(tree, STYLE)
     return style, unknown
@@ -194,7 +195,7 @@ def _own_tree(shape: Shape) -> tuple[str, Mapping[str, object]]:
 
 
 def _style_tree(style: Style, extra: Tree) -> Tree:
-    said = {"color": style.color, "width": style.width}
+    said = {"color": style.color, "width": style.width, "facets": style.facets or None}
     return {**{k: v for k, v in said.items() if v is not None}, **_without(extra, STYLE)}
 
 
