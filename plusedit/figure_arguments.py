@@ -16,11 +16,11 @@ ONE_ONLY = "a figure shows one smoothness; a PNG picture by --size shows several
 def add_figure_arguments(parser: argparse.ArgumentParser) -> None:
     """What makes a picture a figure, and how large it is."""
     form = parser.add_argument_group(
-        "figures", "a PDF, or a picture with a width in millimetres, fitted to what it shows"
+        "figures", "a PDF, or a picture with a width in millimeters, fitted to what it shows"
     )
     for name, words in (
-        ("width-mm", "width in millimetres (default 85)"),
-        ("height-mm", "height in millimetres (default: what is needed)"),
+        ("width-mm", "width in millimeters (default 85)"),
+        ("height-mm", "height in millimeters (default: what is needed)"),
         ("text-pt", "size of words in points (default 8)"),
         ("line-pt", "width of curves in points (default 1)"),
         ("dpi", "pixels to an inch, of PNG and of shaded surfaces (default 300)"),

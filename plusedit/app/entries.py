@@ -97,7 +97,7 @@ def file_entries(window: "MainWindow") -> Iterator[Entry]:
     )
     yield Entry("export_figure", "Export figure…", "File", window.figures.export,
                 ("Ctrl+Alt+E",), 2, "export",
-                "PDF, SVG or PNG at a width in millimetres, for print")  # fmt: skip
+                "PDF, SVG or PNG at a width in millimeters, for print")  # fmt: skip
     yield Entry("export_mesh", "Export mesh…", "File", flows.export_mesh, (), 2, "export",
                 "Curves and surfaces as OBJ, PLY, STL or GLB for other programs")  # fmt: skip
     yield Entry("mesh_report", "Mesh report…", "File", window.side.show_mesh_report, (), 2,

@@ -1,4 +1,4 @@
-"""Figures for print: a design composed at a width in millimetres, with words of a size in points.
+"""Figures for print: a design composed at a width in millimeters, with words of a size in points.
 
 Lines, marks and handles are laid out in logical pixels, as everywhere; how large a pixel is follows
 from how thick a curve is to be in print. Words have a size of their own.
@@ -23,7 +23,7 @@ from plusedit.scene.space_camera import SpaceCamera
 from plusedit.scene.space_scene import SpaceLayers
 from plusedit.scene.theme import THEMES, Theme
 
-POINT = 25.4 / 72.0  # millimetres
+POINT = 25.4 / 72.0  # millimeters
 PAPER = "#FFFFFF"
 HIGHEST = 1.6  # widths: how high a figure becomes that is fitted to what it shows
 MOST_ASIDE = 0.4  # of the width that a legend may have beside the shapes
@@ -39,9 +39,9 @@ class FigureForm:
     """How large a figure is, and what is in it. ValueError, in a sentence, where that can't be."""
 
     width: float = 85.0
-    """millimetres; what a column of a journal has"""
+    """millimeters; what a column of a journal has"""
     height: float | None = None
-    """millimetres; None: as high as what is shown needs"""
+    """millimeters; None: as high as what is shown needs"""
     text: float = 8.0
     """points, the size of usual words"""
     line: float = 1.0
@@ -60,7 +60,7 @@ class FigureForm:
 
     @property
     def pixel(self) -> float:
-        """Millimetres to a logical pixel."""
+        """Millimeters to a logical pixel."""
         return self.line / WIDTH * POINT
 
     @property
@@ -96,7 +96,7 @@ class Figure:
 
     @property
     def size(self) -> tuple[float, float]:
-        """Width and height in millimetres."""
+        """Width and height in millimeters."""
         return self.form.width, self.frame[3] * self.form.pixel
 
     def pixels(self, resolution: float) -> tuple[int, int]:

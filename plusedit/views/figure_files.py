@@ -30,7 +30,7 @@ def figure_file(figure: Figure, suffix: str, resolution: float, title: str = "")
 
 
 def check_resolution(width: float, resolution: float, height: float = 0.0) -> None:
-    """ValueError, in a sentence, for pixels that are too many or make no sense; millimetres."""
+    """ValueError, in a sentence, for pixels that are too many or make no sense; millimeters."""
     least, most = RESOLUTIONS
     if not least <= resolution <= most:
         raise ValueError(f"A figure has {least:g} to {most:g} pixels to an inch.")

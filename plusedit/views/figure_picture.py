@@ -15,7 +15,7 @@ from plusedit.views.painter import ItemPainter, color_of, painting
 from plusedit.views.picture import blank_image, png_bytes
 
 FINE = 1200  # units of a PDF to an inch
-INCH = 25.4  # millimetres
+INCH = 25.4  # millimeters
 
 
 def pdf_figure(

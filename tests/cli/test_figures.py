@@ -1,4 +1,4 @@
-"""`plusedit render` of figures: sizes in millimetres and points, and what is refused."""
+"""`plusedit render` of figures: sizes in millimeters and points, and what is refused."""
 
 import re
 

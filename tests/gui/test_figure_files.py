@@ -15,7 +15,7 @@ pytestmark = pytest.mark.gui
 
 
 def points_of(data):
-    """Width and height of the page of a PDF file, in millimetres."""
+    """Width and height of the page of a PDF file, in millimeters."""
     (box,) = re.findall(rb"/MediaBox \[0 0 ([0-9.]+) ([0-9.]+) *\]", data)
     return [float(side) * 25.4 / 72.0 for side in box]
 

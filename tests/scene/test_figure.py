@@ -118,7 +118,7 @@ def test_light_figures_are_on_white_paper():
     assert FigureForm(theme="dark").colors.color("canvas") != "#FFFFFF"
 
 
-def test_an_svg_figure_tells_its_width_in_millimetres():
+def test_an_svg_figure_tells_its_width_in_millimeters():
     figure = plane_figure(PLANE, FigureForm())
     text = svg_figure(figure, figure.flat).decode()
     assert 'width="85mm"' in text
