@@ -80,13 +80,15 @@ def solution(
     chart: Chart | None = None,
     *,
     column: int | None = None,
+    order: Indices | None = None,
     progress: Progress = silent,
 ) -> Floats:
     """(n, d) parameters of all vertices, those of unused ones zero.
 
     `weights` are (t, 3, 2) by corner, as of `flattening.weights`. There must be a pin, and every
     vertex must hang together with one. With a chart, d is 2, or 1 if a column of it is named.
-    `progress` is told what of this is done.
+    `order` (n,) gives all vertices their places in the order of elimination, if they have any
+    already. `progress` is told what of this is done.
     ValueError where the numbers of the part are too far apart to calculate with.
     """
     found = np.zeros((len(sheet.points), pins.places.shape[1]))
@@ -101,8 +103,11 @@ def solution(
     inner = free[terms.rows] & free[terms.columns]
     number: Indices = np.cumsum(free) - 1
     rows, columns = number[terms.rows[inner]], number[terms.columns[inner]]
-    once = rows < columns
-    places = elimination_places(sheet.points[unknown], rows[once], columns[once])
+    if order is None:
+        once = rows < columns
+        places = elimination_places(sheet.points[unknown], rows[once], columns[once])
+    else:
+        places = np.argsort(np.argsort(order[unknown]))
     progress(0.4, "solving the equations")
     sums = np.bincount(terms.rows, np.abs(terms.factors), minlength=len(found))
     diagonal = np.arange(len(unknown))
