@@ -8,8 +8,10 @@ vector to all gradients changes nothing), and of those the nearest to
 
 is taken, f being the chain of the given points: exact for a quadratic f, and lines that can be
 edited, for they lie along the curve. The parameters, by length at first, are then moved to the
-feet of the points, and lines are added where the curve is still too far away. In the end, of the
-curves that are near enough, the one is taken whose lines stray least from where they began.
+feet of the points, and lines are added where the curve is still too far away. With the fewest lines
+that do, their points may have to lie far from the curve; a few more than these are tried, so that
+they lie along it. In the end, of the curves that are near enough, the one is taken whose lines
+stray least from where they began.
 """
 
 from collections.abc import Sequence
@@ -32,6 +34,8 @@ FEET = 4  # steps toward the feet of the points in the end
 STRETCH = 3.0  # how much faster or slower than by length a parameter may run
 REFINEMENTS = 3  # steps that make up for the reluctance where it is not asked for
 RELUCTANCES = (1e-1, 3e-2, 1e-2, 3e-3, 1e-3, 1e-4, 1e-5)  # to leave the guess, tried in turn
+EASY = 1e-4  # a reluctance with which lines still lie along the curve
+MORE = 1.5  # times as many lines as the fewest are given for that at most
 WORST = 0.3  # of the largest distance: spans farther away than that are divided
 FEWEST = 4  # points in a span that is divided
 FIRST = 6  # lines of a closed curve tried first
@@ -117,31 +121,67 @@ def _fitted_open(data: Floats, tolerance: float, order: int, corners: list[int])
     inner = [corners[i] for i in first[(at > 0.0) & (at < 1.0)]]
     task = _Task(data, u, np.diff(u), (0, *inner, len(data) - 1))
     knots = np.repeat(u[inner], order - 1)
+    search = _Search(tolerance)
     for _ in range(ROUNDS):
         clamped = np.concatenate([np.zeros(order), knots, np.ones(order)])
         basis = BSpline(len(knots) + order, order, knots=tuple(clamped.tolist()))
-        curve, task = _fitted(basis, task, tolerance)
-        distance = _distances(curve, task)
+        task, distance = search.tried(basis, task)
+        if search.is_over:
+            break
         more = _divided(basis.breaks, task.u, distance, tolerance)
         if not len(more):
             break
         knots = np.sort(np.concatenate([knots, more]))
-    return _judged(curve, task, tolerance)
+    return search.found()
 
 
 def _fitted_closed(data: Floats, tolerance: float, order: int) -> Fitted:
     u = parameters_by_length(np.concatenate([data, data[:1]]))
     task = _Task(data, u[:-1], np.diff(u), closed=True)
     size = FIRST
+    search = _Search(tolerance)
     for _ in range(ROUNDS):
-        curve, task = _fitted(BSpline(size, order, closed=True), task, tolerance)
-        distance = float(_distances(curve, task).max())
-        if distance <= tolerance or 2 * size >= len(data):
+        task, distance = search.tried(BSpline(size, order, closed=True), task)
+        if search.is_over or 2 * size >= len(data):
             break
         # The distance falls with the power order + 1 of the number of lines.
-        wanted = size * float(np.clip((distance / tolerance) ** (1.0 / (order + 1)), 1.1, 2.0))
+        excess = float(distance.max()) / tolerance
+        wanted = size * float(np.clip(excess ** (1.0 / (order + 1)), 1.1, 2.0))
         size = min(max(size + 1, round(wanted)), max(size + 1, len(data) // 2))
-    return _judged(curve, task, tolerance)
+    return search.found()
+
+
+class _Search:
+    """For a curve within the tolerance, of few lines that lie along it."""
+
+    def __init__(self, tolerance: float) -> None:
+        self._tolerance = tolerance
+        self._fewest: tuple[PlusCurve, _Task] | None = None
+        """the first that is near enough, wherever its lines lie"""
+        self._last: tuple[PlusCurve, _Task] | None = None
+        self.is_over = False
+
+    def tried(self, basis: BSpline, task: _Task) -> tuple[_Task, Floats]:
+        """The task with parameters corrected for that basis, and how far the points still are."""
+        curve, task = _fitted(basis, task, self._tolerance)
+        self._last = curve, task
+        distance = _distances(curve, task)
+        if distance.max() > self._tolerance:
+            return task, distance
+        if self._fewest is None:
+            self._fewest = self._last
+        distance = _distances(_solved(basis, task, EASY), task)
+        if distance.max() <= self._tolerance:
+            self._fewest, self.is_over = self._last, True
+        elif basis.size >= MORE * len(self._fewest[0].lines):
+            self.is_over = True
+        return task, distance
+
+    def found(self) -> Fitted:
+        """The curve to take: of no more lines than are of use."""
+        taken = self._fewest or self._last
+        assert taken is not None
+        return _judged(*taken, self._tolerance)
 
 
 def _calmed(basis: BSpline, task: _Task, enough: float) -> PlusCurve | None:

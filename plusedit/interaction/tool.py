@@ -83,7 +83,7 @@ class Feedback:
     hint: str = ""
     """what can be done here, and which keys change it: for the status bar"""
     readout: str = ""
-    """numbers of the drag under way, beside the pointer"""
+    """beside the pointer: numbers of the drag under way, or what one would change"""
     cursor: str = "arrow"
     """"arrow", "cross", "move", "turn", "hand" or "grab" """
     error: str = ""

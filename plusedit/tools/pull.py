@@ -38,6 +38,12 @@ WORDS: dict[Change, str] = {
     "gradients": "control lines turn",
     "both": "control points move and lines turn",
 }
+SWITCH: dict[Change, str] = {
+    "points": "by points  W",
+    "gradients": "by directions  W",
+    "both": "by points and directions  W",
+}
+"""what is read beside the pointer, with the key that switches"""
 HINT = "Drag a curve or surface to pull it: {now} · W: {then}"
 DRAGGED = "{now} · Alt turns lines alone · Ctrl snaps · Shift keeps to an axis · type dx Tab dy"
 
@@ -98,7 +104,8 @@ class PullShape:
         grip = _grip_under(at.at, stage)
         if grip is None:
             return Feedback(hint=hint)
-        return Feedback((ring(_point(grip, stage)[None]),), hint, cursor="hand")
+        mark = ring(_point(grip, stage)[None])
+        return Feedback((mark,), hint, SWITCH[self.change], cursor="hand")
 
     def keys(self, stage: Stage) -> frozenset[str]:
         """The one that switches what changes."""

@@ -122,6 +122,18 @@ def test_lines_lie_along_the_curve_so_that_they_can_be_edited():
     assert np.linalg.norm(away, axis=1).max() < 0.05
 
 
+def test_so_they_do_where_fewer_lines_would_be_near_enough():
+    angle = 2.0 * np.pi * np.arange(59) / 59
+    radius = 150.0 + 40.0 * np.cos(3.0 * angle)
+    points = (radius[:, None] * np.stack([np.cos(angle), np.sin(angle)], axis=1)).round()
+    made = fit_bspline_plus(points, tolerance=2.0, closed=True)
+    curve = made.curve
+    assert made.largest <= 2.0
+    assert curve.basis.size <= 10
+    away = curve.lines.points - curve.at(curve.basis.nodes)
+    assert np.linalg.norm(away, axis=1).max() < 0.15 * np.ptp(points, axis=0).max()
+
+
 def test_a_corner_is_met_and_stays_sharp():
     points, corners = zigzag()
     made = fit_bspline_plus(points, tolerance=1e-6, corners=corners)

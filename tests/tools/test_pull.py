@@ -58,6 +58,20 @@ def test_w_chooses_what_changes(presses, moves_points, turns):
     assert_allclose(after.at([0.4])[0], np.add(place, (0.0, 0.4)), atol=NEAR)
 
 
+def test_what_changes_is_read_beside_the_pointer():
+    hand = Hand(tool="pull")
+    read = []
+    hand.gestures.feedback.listen(lambda feedback: read.append(feedback.readout))
+    hand.gestures.move(hand.at(hand.curve().at([0.4])[0]))
+    for _ in range(3):
+        hand.gestures.key("W")
+    words = [text for text in read if text]
+    assert words[0] == words[-1]
+    assert len(set(words)) == 3
+    hand.gestures.move(hand.at(EMPTY))
+    assert read[-1] == ""
+
+
 def test_with_alt_only_lines_turn():
     hand = Hand(tool="pull")
     before = hand.curve()
