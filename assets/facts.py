@@ -77,7 +77,7 @@ def fact_two_inflections_more() -> Design:
         turned(bezier(FRAME, 1.0), {0: -60.0, 1: -120.0, 2: 120.0, 3: 60.0}),
         turned(bezier(GABLE, 0.45), {1: 180.0}),
     ]
-    return design(panels(curves, 2), about, "classical names polygon", "all")
+    return design(panels(curves, 2), about, "classical names polygon extrema", "all")
 
 
 def between_flat_nets(flat: tuple[tuple[int, int], tuple[int, int]]) -> PlusSurface:
