@@ -2,7 +2,8 @@
 
 How far they are from their meshes, and the values that an overlay colors them by. What is found is
 of the very points that are drawn. While a slider moves nothing is begun, for the picture comes
-first; of what was wished for meanwhile only what is still drawn is found.
+first; of what was wished for meanwhile only what is still drawn is found. Previews are measured
+only where they stay all that there is: the accurate surface is on its way.
 """
 
 from dataclasses import dataclass
@@ -28,6 +29,7 @@ from plusedit.views.workers import start_worker
 
 GLANCE = 10  # milliseconds between looks whether a surface is done
 PAUSE = 120  # milliseconds without an edit, after which there is time
+PATIENCE = 3000  # milliseconds without an edit, after which previews are measured as well
 
 Finding: TypeAlias = tuple[tuple[Overlay, Numbers], ...]
 """What else overlays want to know, each with its settings."""
@@ -80,13 +82,18 @@ class MeshMeasuring(QObject):
         self._glance.timeout.connect(self._look)
         self._rest = QTimer(self, singleShot=True, interval=PAUSE)
         self._rest.timeout.connect(self._begin)
-        session.changed.listen(lambda old, new: self._rest.start())
+        self._patience = QTimer(self, singleShot=True, interval=PATIENCE)
+        self._patience.timeout.connect(self._begin)
+        self._patience.start()
+        session.changed.listen(lambda old, new: self._wait())
         evaluation.ready.listen(self._begin)
 
     @property
     def is_busy(self) -> bool:
         """Whether something of what is drawn is still to be found."""
-        return self._job is not None or self._rest.isActive() or self._wanted() is not None
+        if self._job is not None or self._rest.isActive():
+            return True
+        return self._wanted(even_previews=True) is not None
 
     @property
     def serves_overlays(self) -> bool:
@@ -105,23 +112,29 @@ class MeshMeasuring(QObject):
         )
         self._begin()
 
+    def _wait(self) -> None:
+        self._rest.start()
+        self._patience.start()
+
     def _begin(self) -> None:
         """Start on the first of what is wanted, unless a thread is at work or edits go on."""
         if self._job is not None or self._rest.isActive():
             return
-        job = self._wanted()
+        job = self._wanted(even_previews=not self._patience.isActive())
         if job is not None:
             self._job = job
             self._thread = start_worker(job.do, "measuring", daemon=True)
             self._glance.start()
 
-    def _wanted(self) -> _Job | None:
+    def _wanted(self, *, even_previews: bool) -> _Job | None:
         """What is still to be found, of selected shapes first."""
         design, chosen = self._session.design, self._session.selection.shapes
         shown = [(i, mesh) for i, mesh in design.meshes() if design[i].visible]
         for _, surface in sorted(shown, key=lambda pair: pair[0] not in chosen):
             drawing = known_drawing(surface)
             if drawing is None or drawing in self._failed:
+                continue
+            if not drawing.is_exact and not even_previews:
                 continue
             is_colored = self._entry is None or has_values(self._entry, drawing, self._numbers)
             is_found = all(has_findings(each, surface, by) for each, by in self._finding)

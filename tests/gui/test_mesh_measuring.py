@@ -8,7 +8,7 @@ from plusedit.scene.coloring import has_values
 from plusedit.scene.drawn_deviation import known_deviation
 from plusedit.scene.drawn_mesh import known_drawing
 from plusedit.scene.overlays import overlays
-from plusedit.views import mesh_measuring
+from plusedit.views import mesh_evaluation, mesh_measuring
 from plusedit.views.deviation_label import percentage
 from tests.scene.meshes import HILL, a_landscape
 
@@ -107,6 +107,35 @@ def test_nothing_is_measured_while_edits_go_on(qtbot, landscape):
     settle(qtbot, landscape)
     assert known_deviation(drawing(landscape)) is not None
     landscape.session.abort()
+
+
+def test_previews_are_not_measured_while_the_accurate_surface_is_on_its_way(
+    qtbot, landscape, monkeypatch
+):
+    measured = []
+    find = mesh_measuring.drawn_deviation
+
+    def note(surface, drawn):
+        measured.append(drawn)
+        return find(surface, drawn)
+
+    monkeypatch.setattr(mesh_measuring, "drawn_deviation", note)
+    for smoothness in (2.0, 3.0):
+        landscape.session.commit(SetSmoothness({HILL: smoothness}))
+        settle(qtbot, landscape)
+    assert [each.is_exact for each in measured] == [True, True]
+
+
+def test_a_preview_is_measured_where_it_stays_all_there_is(qtbot, landscape, monkeypatch):
+    def fail(*_):
+        raise ValueError("points: has a value that is not finite")
+
+    monkeypatch.setattr(mesh_evaluation, "evaluated", fail)
+    landscape.panes.measuring._patience.setInterval(100)
+    landscape.session.commit(SetSmoothness({HILL: 2.0}))
+    settle(qtbot, landscape)
+    assert not drawing(landscape).is_exact
+    assert known_deviation(drawing(landscape)) is not None
 
 
 def test_a_mesh_that_is_hidden_is_not_measured(qtbot, window):
