@@ -11,12 +11,14 @@ from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.tessellate import tessellation
 from plusedit.interaction.actions import EditAction
 from plusedit.interaction.curve_actions import MENU, curves_of
+from plusedit.interaction.places import in_space
 from plusedit.interaction.tool import Outcome, Stage
 
 COARSE = 5e-3  # of the size of a curve: the tolerance that it is fitted within at first
 FINER = 0.1  # of the tolerance: how near the points that are fitted come to the curve
 LOOSER, CLOSER = 2.0, 0.5
 MOST = 2000  # points
+GAP, WIDEST = 12.0, 0.05  # pixels, and of the size: ends of curves so near are joined
 
 
 def sampled(curve: PlusCurve) -> FitSource:
@@ -53,10 +55,12 @@ def joined(stage: Stage) -> Outcome:
     if len(ids) < 2:
         raise EditError("Select two curves or more that meet end to end.")
     curves = [stage.design.curve(shape_id) for shape_id in ids]
-    points = np.concatenate([curve.lines.points for curve in curves])
+    ends = np.concatenate([in_space(curve.at([0.0, 1.0])) for curve in curves])
+    points = np.concatenate([in_space(curve.lines.points) for curve in curves])
     size = float(np.ptp(points, axis=0).max()) or 1.0
+    gap = min(GAP * float(stage.camera.pixel_at(ends).max()), WIDEST * size)
     try:
-        chain = chained(curves, FINER * COARSE * size)
+        chain = chained(curves, FINER * COARSE * size, gap)
     except ValueError as error:
         raise EditError(str(error)) from error
     source = FitSource(chain.points, COARSE * size, chain.closed, corners=chain.corners)

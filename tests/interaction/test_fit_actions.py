@@ -109,3 +109,34 @@ def test_curves_that_do_not_meet_stay_as_they_are():
     perform(found, "join_fitted")
     assert found.session.design is before
     assert "meet end to end" in found.errors[-1]
+
+
+def two_strokes(gap, dimensions=(2, 2)):
+    """Two strokes one after the other, so far apart."""
+    flat = np.array([(0.0, 0.0), (1.0, 0.5), (2.0, 0.0)]), np.array([(0.0, 0.0), (1.0, -0.5)])
+    shapes = {}
+    for number, (points, dimension) in enumerate(zip(flat, dimensions, strict=True)):
+        moved = points + ((2.0 + gap, 0.0) if number else 0.0)
+        rows = np.pad(moved, ((0, 0), (0, dimension - 2)))
+        curve = PlusCurve(Bernstein(len(rows)), ControlLines.of(rows), 0.0)
+        shapes[ShapeId(f"stroke-{number}")] = Shape(curve, "stroke")
+    return Design(shapes)
+
+
+@pytest.mark.parametrize("dimensions", [(2, 2), (2, 3), (3, 2)])
+def test_strokes_that_nearly_meet_are_joined(dimensions):
+    found = Hand(two_strokes(4.0 * CAMERA.pixel, dimensions))
+    found.session.select(Selection.of_shapes(found.session.design))
+    perform(found, "join_fitted")
+    ((_, shape),) = found.session.design.shapes.items()
+    assert shape.curve.dimension == max(dimensions)
+    meeting = np.pad([[2.0 + 2.0 * CAMERA.pixel, 0.0]], ((0, 0), (0, max(dimensions) - 2)))
+    assert residual(shape.curve, meeting).largest < 0.02
+
+
+def test_strokes_far_apart_are_not():
+    found = Hand(two_strokes(40.0 * CAMERA.pixel))
+    found.session.select(Selection.of_shapes(found.session.design))
+    perform(found, "join_fitted")
+    assert len(found.session.design) == 2
+    assert "meet end to end" in found.errors[-1]
