@@ -51,7 +51,7 @@ HINTS = {
     "ring": "Drag to turn the plane about this axis · Ctrl snaps to 15° · Shift is slow · "
     "type degrees",
     "edge": "Double-click selects the {row} of control planes along this edge, Shift adds it",
-    "": "Click or drag a box to select · V P I H choose tools · G R S move, rotate, scale",
+    "": "Click or drag a box to select · V P B D I H choose tools · G R S move, rotate, scale",
 }
 SPACE_HINT = (
     "Click or drag a box to select · middle drag or Alt + drag orbits, Shift + middle drag pans, "

@@ -39,6 +39,14 @@ def test_an_edit_that_breaks_a_constraint_says_so(filled):
     assert filled.status.text.text() == f"wing: {words}"
 
 
+def test_one_reason_is_told_once(filled):
+    keep_tangent(filled)
+    filled.desk.commit(Constrain({WING: Wish("passing", (0, 1))}))
+    filled.desk.commit(SetMagnitude({WING: 0.0}))
+    assert len(problems_of(filled.session.design[WING])) == 2
+    assert filled.status.text.text().count("set s first") == 1
+
+
 def test_an_edit_that_keeps_all_says_nothing(filled):
     keep_tangent(filled)
     said = []

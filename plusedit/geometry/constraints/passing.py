@@ -30,7 +30,10 @@ class Passing:
             return "No control points are chosen to pass through; select some."
         if numbers[-1] >= len(geometry.net) or numbers[0] < 0:
             return f"There is no control point {numbers[-1] + 1}; choose the points anew."
-        return "With s = 0 directions have no effect; set s first." if geometry.s == 0.0 else ""
+        if geometry.s != 0.0:
+            return ""
+        elements = "lines" if isinstance(geometry, PlusCurve) else "planes"
+        return f"With s = 0 control {elements} have no effect; set s first."
 
     def miss(self, geometry: Constrained, numbers: tuple[int, ...]) -> float:
         points = geometry.net.control_points
