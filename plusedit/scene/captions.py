@@ -1,14 +1,15 @@
 """Where captions lie in a picture, and what they are drawn as; pixels from the upper left corner.
 
 They stand in the lower left corner, one upon the other; those for which there is no room, or which
-would cover the picture, are left out. Legends have the corner on the right.
+would cover the picture or a legend, are left out. Legends have the corner on the right.
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
+from typing import TypeAlias
 
-from plusedit.scene.items import Caption, Legend
-from plusedit.scene.legends import MARGIN, NUMBERS, WORDS, Word, width_of
+from plusedit.scene.items import Caption, Item, Legend
+from plusedit.scene.legends import MARGIN, NUMBERS, WORDS, Word, placed, width_of
 
 PADDING = 7.0  # around what is in the box
 LINE = 15.0  # from one line of words to the next
@@ -20,11 +21,14 @@ SAMPLE, ASIDE = 14.0, 7.0  # of a color: how long, and from there to the words
 THICK = 3.0  # the line that shows a color
 
 
+Box: TypeAlias = tuple[float, float, float, float]
+
+
 @dataclass(frozen=True)
 class PlacedCaption:
     """A caption in its place."""
 
-    box: tuple[float, float, float, float]
+    box: Box
     """left, top, width and height of the ground that it stands on"""
     samples: tuple[tuple[float, float, float, str], ...]
     """left, right and height of lines that show colors, with the color of each"""
@@ -48,6 +52,26 @@ def in_corners(
     legends = [item for item in words if isinstance(item, Legend)]
     captions = stacked((item for item in words if isinstance(item, Caption)), left)
     return (*legends[:1], *captions)
+
+
+def clear_of_legends(items: Iterable[Item], size: tuple[float, float]) -> Iterator[Item]:
+    """The items without captions that would cover a legend before them in so small a picture."""
+    legend = None
+    for item in items:
+        if isinstance(item, Legend):
+            legend = placed(item, size)
+        elif legend is not None and isinstance(item, Caption):
+            caption = placed_caption(item, size)
+            if caption is not None and _meet(caption.box, legend.box):
+                continue
+        yield item
+
+
+def _meet(one: Box, other: Box) -> bool:
+    return all(
+        one[axis] < other[axis] + other[axis + 2] and other[axis] < one[axis] + one[axis + 2]
+        for axis in (0, 1)
+    )
 
 
 def placed_caption(caption: Caption, size: tuple[float, float]) -> PlacedCaption | None:

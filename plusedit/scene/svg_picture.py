@@ -12,7 +12,7 @@ import numpy as np
 
 from plusedit.geometry.arrays import Floats
 from plusedit.scene.camera import Camera
-from plusedit.scene.captions import THICK, placed_caption
+from plusedit.scene.captions import THICK, clear_of_legends, placed_caption
 from plusedit.scene.clipping import (
     Box,
     clipped_polygon,
@@ -55,7 +55,7 @@ def svg_of(
     lines = [f'<rect width="{width}" height="{height}" {draw.fill("canvas")}/>']
     if transparent:
         lines.clear()
-    for item in items:
+    for item in clear_of_legends(items, camera.size):
         lines += draw.elements(item)
     size = f'width="{width}" height="{height}" viewBox="0 0 {width} {height}"'
     return svg_file(size, lines)

@@ -16,7 +16,7 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPaintDevice, QPainter, 
 
 from plusedit.geometry.arrays import Floats
 from plusedit.scene.camera import Camera
-from plusedit.scene.captions import placed_caption
+from plusedit.scene.captions import clear_of_legends, placed_caption
 from plusedit.scene.clipping import (
     Box,
     clipped_polygon,
@@ -73,6 +73,7 @@ class ItemPainter:
     def paint(self, items: Iterable[Item]) -> None:
         """Draw the items, the first one farthest back."""
         self.painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        items = clear_of_legends(items, self.camera.size)
         for is_solid, group in groupby(items, lambda item: isinstance(item, Patch | Mesh)):
             if is_solid:
                 self._solids([item for item in group if isinstance(item, Patch | Mesh)])

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from plusedit.scene.camera import PlaneCamera
-from plusedit.scene.captions import in_corners, placed_caption, stacked
+from plusedit.scene.captions import clear_of_legends, in_corners, placed_caption, stacked
 from plusedit.scene.items import Caption, Legend, Row
 from plusedit.scene.legends import MARGIN
 from plusedit.scene.svg_picture import svg_of
@@ -32,6 +32,14 @@ def test_a_caption_is_whole_within_the_picture(width, height, count, titled):
     for word in placed.words:
         assert left < word.x < left + wide
         assert top < word.y - 0.7 * word.size and word.y < top + high
+
+
+@pytest.mark.parametrize(("width", "count"), [(800.0, 2), (300.0, 0)])
+def test_captions_leave_legends_free(width, count):
+    legend = Legend("Mean curvature", "1 / unit", ("#000000", "#FFFFFF"), ((0.0, "0"), (1.0, "3")))
+    shown = [*clear_of_legends([legend, *stacked([a_caption()] * 2)], (width, 600.0))]
+    assert shown[0] is legend
+    assert len(shown) == 1 + count
 
 
 def test_there_is_none_where_it_would_not_fit():
