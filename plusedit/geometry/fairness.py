@@ -45,7 +45,8 @@ _KNOWN: "WeakKeyDictionary[PlusSurface, Fairness]" = WeakKeyDictionary()
 def fairness(surface: PlusSurface) -> Fairness:
     """That of a plus surface, kept as long as it lives.
 
-    To 1e-6, the variation to 1e-4, where the surface is regular; places without a normal count for nothing.
+    To 1e-6, the variation to 1e-4, where the surface is regular; places without a normal count for
+    nothing.
     """
     found = _KNOWN.get(surface)
     if found is None:

@@ -127,7 +127,8 @@ def _integrals(density: Callable[[Floats], Floats], ends: Floats) -> Floats:
         first, second = np.split(halves, 2, axis=1)
         both = first + second
         size = np.abs(total)[:, None] + np.abs(both).sum(axis=1, keepdims=True)
-        change = np.nan_to_num((np.abs(both - whole) / size).max(axis=0), nan=np.inf)
+        shares = np.divide(np.abs(both - whole), size, out=np.zeros_like(both), where=size != 0.0)
+        change = np.nan_to_num(shares.max(axis=0), nan=np.inf)
         rough = change > AGREED
         if rough.sum() > MOST:
             rough &= change >= np.partition(change, -MOST)[-MOST]

@@ -38,9 +38,10 @@ def test_it_follows_the_pointer_without_drawing_the_shapes_again(view, monkeypat
     move(view, on_the_bow(view, 0.3), Qt.MouseButton.NoButton)
     (first,) = circles(view)
     view.grab()
-    monkeypatch.setattr(strata, "scene_items", None)
-    move(view, on_the_bow(view, 0.6), Qt.MouseButton.NoButton)
-    picture = view.grab().toImage()
+    with monkeypatch.context() as watched:
+        watched.setattr(strata, "scene_items", None)
+        move(view, on_the_bow(view, 0.6), Qt.MouseButton.NoButton)
+        picture = view.grab().toImage()
     (second,) = circles(view)
     assert not np.array_equal(first.points, second.points)
     amber = LIGHT.color("hover").lower()
