@@ -45,6 +45,7 @@ CLOSEST = 1e-3  # of even steps: parameters are that far apart at least
 RELUCTANCE = 1e-12  # how unwillingly unknowns move, of how willingly at most
 EASED = 0.4  # times what distances along the curve count after a step that helped
 RANK = 1e-11  # of the largest singular value: smaller ones are taken to be zero
+TAMER = 1.02  # times the distance that has to be, for control elements that are better to edit
 SPREAD = 0.25  # of the spacing of nodes, over which slopes of the points are taken
 
 Check: TypeAlias = Callable[[], object]
@@ -127,6 +128,8 @@ def fit_curve(
     starts = [task.state(task.first(u), u) for u in (parameters_by_length(points), *before)]
     tried = [_descended(task, start, TRIAL, check) for start in starts]
     best = _descended(task, min(tried, key=lambda state: state.rms), STEPS, check)
+    tame = task.state(task.first(best.u), best.u)
+    best = tame if tame.rms <= max(TAMER * best.rms, task.enough) else best
     largest = float(np.linalg.norm(best.away, axis=1).max())
     return Fit(kind, task.curve(best.unknowns), largest, best.rms, best.u)
 
@@ -141,6 +144,24 @@ def even_points(curve: PlusCurve, count: int) -> Floats:
 def row_matrix(u: Floats, at: Floats) -> Floats:
     """(k, m) what takes values at parameters u (m,), by straight lines between them, to others."""
     return np.stack([np.interp(at, u, unit) for unit in np.eye(len(u))], axis=1)
+
+
+def least_moves(matrix: Floats, goal: Floats) -> Floats:
+    """(k, dim) x with | matrix x - goal | as small as can be but for some percent.
+
+    For that as few singular values count as will do: where the goal hardly asks for a change,
+    there is none.
+    """
+    left, sizes, right = np.linalg.svd(matrix, full_matrices=False)
+    kept = max(1, int(np.count_nonzero(sizes > RANK * sizes[0])))
+    shares = left[:, :kept].T @ goal
+    falls = np.cumsum((shares * shares).sum(axis=1))
+    whole = float((goal * goal).sum())
+    least = max(whole - float(falls[-1]), 0.0)
+    enough = whole - (TAMER**2 * least + ENOUGH**2 * whole)
+    count = min(int(np.searchsorted(falls, enough)) + 1, kept)
+    moves: Floats = right[:count].T @ (shares[:count] / sizes[:count, None])
+    return moves
 
 
 def reaches_of(values: Floats, reaches: Floats) -> Floats:
@@ -196,10 +217,9 @@ class _Task:
         inner = (row_matrix(u, x) @ self.points)[1:-1]
         guess = np.concatenate([inner, slopes]) if self.is_plus else inner
         columns = self.columns(u)
-        scale = np.linalg.norm(columns, axis=0)
+        scale = _sizes(columns)
         left = self.wanted(u) - columns @ guess
-        moves = np.linalg.lstsq(columns / scale, left, rcond=RANK)[0]
-        first: Floats = guess + moves / scale[:, None]
+        first: Floats = guess + least_moves(columns / scale, left) / scale[:, None]
         return first
 
     def feet(self, unknowns: Floats, u: Floats) -> "_State":
@@ -262,7 +282,7 @@ def _descended(task: _Task, start: _State, steps: int, check: Check) -> _State:
 def _step(columns: Floats, state: _State, along: float) -> Floats:
     """(k, dim) how unknowns move so that distances fall, those along the curve as counted."""
     count, dimension = columns.shape[1], state.away.shape[1]
-    scale = np.linalg.norm(columns, axis=0)
+    scale = _sizes(columns)
     less = (1.0 - along) * state.headings[:, :, None] * state.headings[:, None, :]
     counted = np.eye(dimension) - less
     matrix = np.einsum("mab,mk->makb", counted, columns / scale).reshape(-1, count * dimension)
@@ -272,6 +292,12 @@ def _step(columns: Floats, state: _State, along: float) -> Floats:
     found = np.linalg.solve(square, matrix.T @ goal).reshape(count, dimension)
     moves: Floats = found / scale[:, None]
     return moves
+
+
+def _sizes(columns: Floats) -> Floats:
+    """(k,) how much the points feel of each unknown; one where they feel nothing."""
+    sizes: Floats = np.linalg.norm(columns, axis=0)
+    return np.where(sizes > 0.0, sizes, 1.0)
 
 
 def _matrices(basis: Basis, u: Floats) -> tuple[Floats, Floats]:

@@ -27,6 +27,7 @@ from plusedit.geometry.comparison import (
     Kind,
     basis_of,
     is_plus,
+    least_moves,
     reaches_of,
     row_matrix,
 )
@@ -138,7 +139,7 @@ def _plus(points: Floats, by_u: _Way, by_v: _Way) -> tuple[Floats, Floats, Float
     c, e = frame_v @ by_v.values, frame_v @ by_v.reaches / by_v.scale
     matrix = np.hstack([np.kron(b, c), np.kron(d, c), np.kron(b, e)])
     goal = _both(frame_u, left, frame_v).reshape(-1, 3)
-    moves = np.linalg.lstsq(matrix, goal, rcond=RANK)[0].reshape(3, *at.shape)
+    moves = least_moves(matrix, goal).reshape(3, *at.shape)
     moved_u = moves[1] / by_u.scale[:, None, None]
     moved_v = moves[2] / by_v.scale[:, None]
     return at + moves[0], along_u + moved_u, along_v + moved_v

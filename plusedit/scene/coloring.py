@@ -55,7 +55,7 @@ NO_TINTS = Tints()
 def coloring_overlay(names: Iterable[str]) -> Overlay | None:
     """The overlay that colors surfaces while those are switched on: one at most."""
     chosen = frozenset(names)
-    return next((o for o in in_order() if o.name in chosen and o.colors), None)
+    return next((o for o in in_order() if o.name in chosen and (o.colors or o.compares)), None)
 
 
 def mesh_values(

@@ -5,13 +5,13 @@ same, in the colors of its legend; stripes as the lines where dark and light one
 """
 
 from collections import deque
-from collections.abc import Hashable, Iterator, Sequence
+from collections.abc import Hashable, Iterator, Mapping, Sequence
 from itertools import pairwise
 
 import numpy as np
 
 from plusedit.document.design import Design
-from plusedit.document.shape import Geometry
+from plusedit.document.shape import Geometry, ShapeId
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.mesh.mesh_surface import MeshSurface
 from plusedit.geometry.surface import PlusSurface
@@ -39,20 +39,33 @@ _recent: deque[tuple[Floats, Hashable, list[Segments]]] = deque(maxlen=RECENT)
 
 
 def map_items(
-    design: Design, camera: PlaneCamera, options: ViewOptions, *, wait: bool = True
+    design: Design,
+    camera: PlaneCamera,
+    options: ViewOptions,
+    *,
+    wait: bool = True,
+    chosen: frozenset[ShapeId] = frozenset(),
 ) -> Iterator[Item]:
-    """The lines of the map or of the stripes that are switched on, and the legend of the map."""
+    """The lines of the map or of the stripes that are switched on, and the legend of the map.
+
+    The `chosen` shapes are selected.
+    """
     entry, stripes = coloring_overlay(options.overlays), stripes_of(options)
     if entry is not None:
-        yield from _lines_of_map(entry, design, camera, options, wait)
+        values = values_of(entry, design, camera, options, wait=wait, chosen=chosen)
+        yield from _lines_of_map(entry, values, design, camera, options, wait)
     elif stripes is not None:
         yield from _lines_of_stripes(stripes, design, camera, wait)
 
 
 def _lines_of_map(
-    entry: Overlay, design: Design, camera: PlaneCamera, options: ViewOptions, wait: bool
+    entry: Overlay,
+    values: Mapping[ShapeId, Floats],
+    design: Design,
+    camera: PlaneCamera,
+    options: ViewOptions,
+    wait: bool,
 ) -> Iterator[Item]:
-    values = values_of(entry, design, camera, options, wait=wait)
     contrast = entry.numbers(options.settings).get(CONTRAST.name, CONTRAST.usual)
     span = span_of(entry.coloring, values.values(), contrast)
     if span is None:

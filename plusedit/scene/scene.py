@@ -118,8 +118,8 @@ def _of_design(
     wait: bool,
     hurried: bool = False,
 ) -> Iterator[Item]:
-    yield from map_items(design, camera, options, wait=wait)
-    yield from design_overlay_items(design, camera, options, selection, hurried=hurried)
+    yield from map_items(design, camera, options, wait=wait, chosen=selection.shapes)
+    yield from design_overlay_items(design, camera, options, selection, hurried=hurried, wait=wait)
 
 
 def _layers(

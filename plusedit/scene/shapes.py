@@ -107,12 +107,16 @@ def design_overlay_items(
     selection: Selection,
     *,
     hurried: bool = False,
+    wait: bool = True,
 ) -> Iterator[Item]:
-    """What they draw about the design as a whole; `hurried` while an edit is going on."""
+    """What they draw about the design as a whole; `hurried` while an edit is going on.
+
+    Without `wait` what takes its time is as it is known by now.
+    """
     for entry in in_order():
         if entry.name in options.overlays:
             numbers = entry.numbers(options.settings)
-            seen = Seen(camera, (), numbers, design, is_hurried=hurried)
+            seen = Seen(camera, (), numbers, design, is_hurried=hurried, waits=wait)
             yield from entry.draw_design(design, selection.shapes, seen)
 
 

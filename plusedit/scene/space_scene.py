@@ -103,9 +103,10 @@ def space_items(
     labels: list[Item] = []
     captions: list[Caption] = []
     with np.errstate(all="ignore"):
-        tints = _tints(design, camera, options, draft=draft, wait=wait, only=only)
+        chosen = selection.shapes
+        tints = _tints(design, camera, options, chosen, draft=draft, wait=wait, only=only)
         overlays = chain(
-            design_overlay_items(design, camera, options, selection, hurried=hurried)
+            design_overlay_items(design, camera, options, selection, hurried=hurried, wait=wait)
             if only is None
             else (),
             overlay_items(design, shown, camera, options, selection),
@@ -181,6 +182,7 @@ def _tints(
     design: Design,
     camera: SpaceCamera,
     options: ViewOptions,
+    chosen: frozenset[ShapeId],
     *,
     draft: bool,
     wait: bool,
@@ -190,7 +192,9 @@ def _tints(
     entry = coloring_overlay(options.overlays)
     if entry is None:
         return NO_TINTS
-    known = values_of(entry, design, camera, options, draft=draft, wait=wait, only=only)
+    known = values_of(
+        entry, design, camera, options, draft=draft, wait=wait, only=only, chosen=chosen
+    )
     return tinted(entry, known, entry.numbers(options.settings))
 
 

@@ -23,6 +23,7 @@ from plusedit.views.canvas import PlaneCanvas
 from plusedit.views.hands import Hands
 from plusedit.views.mesh_evaluation import MeshEvaluation
 from plusedit.views.mesh_measuring import MeshMeasuring
+from plusedit.views.pair_measuring import PairMeasuring
 
 if TYPE_CHECKING:
     from plusedit.views.space_canvas import SpaceCanvas
@@ -62,6 +63,9 @@ class Panes(QSplitter):
         self.measuring = MeshMeasuring(session, self.meshes, self)
         self.meshes.ready.listen(self._redraw_meshes)
         self.measuring.ready.listen(self._recolor)
+        self.pairs = PairMeasuring(session, self)
+        self.meshes.ready.listen(self.pairs.begin)
+        self.pairs.ready.listen(self._redraw)
         self.setChildrenCollapsible(False)
         self.setHandleWidth(5)
         self._take_in(self.plane)
@@ -126,6 +130,7 @@ class Panes(QSplitter):
         for canvas in self.canvases:
             canvas.set_options(options)
         self.measuring.set_options(options)
+        self.pairs.set_options(options)
 
     def set_theme(self, theme: Theme) -> None:
         """Draw in those colors."""

@@ -39,7 +39,7 @@ def sketch_of(
     It is looked at as the design's own 3D view looks; `ratio` pixels of the image to each.
     """
     own = options_of(design.view)
-    colored = frozenset(name for name in own.overlays if name in overlays and overlays[name].colors)
+    colored = frozenset(name for name in own.overlays if name in overlays and overlays[name].paints)
     bare = replace(own, overlays=colored, handles="none", isolines=False)
     plain = replace(design, view=view_tree(bare, old=design.view))
     image = blank_image(size, theme, transparent=transparent, ratio=ratio)

@@ -25,3 +25,10 @@ def test_points_of_the_curve_are_at_no_distance():
     found = residual(curve, curve.at(np.linspace(0.0, 1.0, 33)))
     assert found.largest < 1e-9
     assert found.rms <= found.largest
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_points_of_a_tangled_curve_are_their_own_feet(kind):
+    curve = random_curve(kind, seed=7)
+    points = curve.at(np.linspace(0.0, 1.0, 301))
+    assert residual(curve, points).largest < 1e-9

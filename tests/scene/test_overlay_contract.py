@@ -232,7 +232,7 @@ def test_it_has_a_value_at_every_sample_of_a_surface(name, kinds):
 def test_what_colors_surfaces_says_what_of_and_what_else_does_not(name):
     entry = overlays[name]
     assert entry.colors <= entry.takes
-    assert entry.colors or entry.coloring == Coloring()
+    assert entry.colors or entry.compares or entry.coloring == Coloring()
     assert ("mesh" in entry.colors) == (entry.mesh_values(HILL, drawing_of(HILL)) is not None)
     even = np.linspace(0.0, 1.0, 3)
     assert ("surface" in entry.colors) == (

@@ -26,19 +26,27 @@ def distances(points: Floats, vertices: Floats, corners: Indices, own: Indices) 
     Point i comes from vertex i: it is expected near the triangles that have it for a corner, of
     which there is one at least.
     """
+    return distances_from(points[own], vertices, corners, own)
+
+
+def distances_from(points: Floats, vertices: Floats, corners: Indices, near: Indices) -> Floats:
+    """(m,) of points (m, 3) from the triangles whose `corners` (t, 3) are among the vertices.
+
+    Vertex near[i], the corner of some triangle, is expected near point i.
+    """
     try:
         from plusedit.geometry.mesh import nearest_kernels
     except ImportError:
-        return distances_by_trying(points, vertices, corners, own)
+        return distances_by_trying(points, vertices, corners, near)
     at = vertices[corners]
     order = _in_order(at.mean(axis=1))
     first = np.zeros(len(vertices), dtype=np.intp)
     first[corners[order].ravel()] = np.repeat(np.arange(len(order)), 3)
     at = at[order]
-    found = np.empty(len(own))
+    found = np.empty(len(points))
     ways = at[:, 1:] - at[:, :1]
     triangles = np.concatenate([at[:, 0], ways[:, 0], ways[:, 1]], axis=1)
-    nearest_kernels.nearest(points[own], first[own], triangles, _boxes(at), found)
+    nearest_kernels.nearest(points, first[near], triangles, _boxes(at), found)
     return found
 
 
@@ -76,18 +84,20 @@ def _boxes(triangles: Floats) -> Floats:
     return np.concatenate([low, high], axis=1)
 
 
-def distances_by_trying(points: Floats, vertices: Floats, corners: Indices, own: Indices) -> Floats:
-    """What `distances` gives, or more: without compiled loops, from the likeliest triangles."""
+def distances_by_trying(
+    points: Floats, vertices: Floats, corners: Indices, near: Indices
+) -> Floats:
+    """What `distances_from` gives, or more: without compiled loops, by the likeliest triangles."""
     from scipy.spatial import cKDTree
 
     triangles = _Triangles.of(vertices[corners])
-    around = _around(corners, len(vertices), own)
+    around = _around(corners, len(vertices), near)
     tree = cKDTree(triangles.middles)
     nearby = min(NEARBY, len(corners))
-    found = np.empty(len(own))
-    for first in range(0, len(own), SHARE):
+    found = np.empty(len(points))
+    for first in range(0, len(points), SHARE):
         rows = slice(first, first + SHARE)
-        at = points[own[rows]]
+        at = points[rows]
         _, close = tree.query(at, nearby)
         candidates = np.concatenate([around[rows], close.reshape(len(at), -1)], axis=1)
         best = triangles.squares(at, candidates).argmin(axis=1)

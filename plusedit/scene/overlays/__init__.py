@@ -32,7 +32,9 @@ An overlay can color surfaces in space instead, by values at the points that are
 The values depend on nothing else but the settings of the overlay: where it has more than the
 contrast, both functions take them as a last argument, a mapping from names to numbers. Those of
 meshes are found in a thread beside the window's, so they may take their time; values that are not
-numbers are gray. All surfaces that are shown have one scale, with a legend in a corner.
+numbers are gray. All surfaces that are shown have one scale, with a legend in a corner. Where other
+shapes decide, as in comparisons, the values are those of a design as a whole
+(`coloring_of_designs`).
 
 Or it changes how light falls on surfaces, pixel by pixel, into stripes that a shader knows:
 
@@ -54,6 +56,7 @@ from plusedit.geometry.surface import PlusSurface
 from plusedit.registry import Registry
 from plusedit.scene.camera import Camera
 from plusedit.scene.color_scale import Kind
+from plusedit.scene.drawn_surface import Grids
 from plusedit.scene.items import Item
 from plusedit.scene.mesh_drawing import MeshDrawing
 
@@ -95,6 +98,8 @@ class Seen:
     """whether the shape is"""
     is_hurried: bool = False
     """whether an edit is going on, and what takes its time can be told once it rests; of designs"""
+    waits: bool = True
+    """whether what is found beside is waited for, as in pictures; of designs"""
 
 
 DrawCurve: TypeAlias = Callable[[Shape, PlusCurve, Seen], Iterable[Item]]
@@ -111,6 +116,11 @@ MeshValues: TypeAlias = (
     Callable[[MeshSurface, MeshDrawing], Floats]
     | Callable[[MeshSurface, MeshDrawing, Numbers], Floats]
 )
+DrawnSurfaces: TypeAlias = Mapping[ShapeId, Grids | MeshDrawing]
+"""How surfaces are drawn: at every pair of some parameters, or as a net of triangles."""
+DesignValues: TypeAlias = Callable[
+    [Design, frozenset[ShapeId], DrawnSurfaces, bool], Mapping[ShapeId, Floats]
+]
 FindOfMesh: TypeAlias = Callable[[MeshSurface, Numbers], object]
 StripeKind: TypeAlias = Literal["", "zebra", "reflection", "isophotes"]
 
@@ -157,6 +167,7 @@ class Overlay:
     _of_meshes: DrawMesh | None = field(default=None, init=False, repr=False)
     _surface_values: SurfaceValues | None = field(default=None, init=False, repr=False)
     _mesh_values: MeshValues | None = field(default=None, init=False, repr=False)
+    _design_values: DesignValues | None = field(default=None, init=False, repr=False)
     _find_of_mesh: FindOfMesh | None = field(default=None, init=False, repr=False)
     finds_by: tuple[str, ...] = field(default=(), init=False)
     """the settings that what is found of meshes depends on"""
@@ -189,6 +200,11 @@ class Overlay:
         return frozenset(kind for kind, given in values.items() if given is not None)
 
     @property
+    def compares(self) -> bool:
+        """Whether it colors shapes of a design by others."""
+        return self._design_values is not None
+
+    @property
     def finds(self) -> bool:
         """Whether what it draws of meshes has to be found beside."""
         return self._find_of_mesh is not None
@@ -200,7 +216,7 @@ class Overlay:
     @property
     def paints(self) -> bool:
         """Whether it changes what surfaces look like: of such only one is switched on."""
-        return bool(self.colors) or bool(self.stripes)
+        return bool(self.colors) or self.compares or bool(self.stripes)
 
     def surface_values(
         self, surface: PlusSurface, u: Floats, v: Floats, numbers: Numbers | None = None
@@ -220,6 +236,17 @@ class Overlay:
         if self._mesh_values is None:
             return None
         return self._mesh_values(surface, drawing, *self._arguments(numbers))
+
+    def design_values(
+        self, design: Design, chosen: frozenset[ShapeId], drawn: DrawnSurfaces, wait: bool
+    ) -> Mapping[ShapeId, Floats]:
+        """What the shapes of a design are colored by, at the points that are drawn.
+
+        The same arrays for the same shapes. Without `wait` what is known by now.
+        """
+        if self._design_values is None:
+            return {}
+        return self._design_values(design, chosen, drawn, wait)
 
     def _arguments(self, numbers: Numbers | None) -> tuple[Numbers, ...]:
         if all(setting is CONTRAST for setting in self.settings):
@@ -304,6 +331,11 @@ class Overlay:
     def coloring_of_meshes(self, values: MeshValues) -> MeshValues:
         """A decorator: color surfaces of meshes by those values."""
         self._mesh_values = values
+        return values
+
+    def coloring_of_designs(self, values: DesignValues) -> DesignValues:
+        """A decorator: color some shapes of a design by those values, which others decide."""
+        self._design_values = values
         return values
 
 
