@@ -8,15 +8,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from plusedit.geometry.arrays import Floats
+from plusedit.geometry.mesh.deviation import ROOM, splits_within
 from plusedit.geometry.mesh.foundation import Foundation
 from plusedit.geometry.mesh.mesh_surface import MeshSurface
 from plusedit.geometry.mesh.polygons import PolygonMesh, fixed
 from plusedit.scene.mesh_drawing import DrawnNet, Pairs
 
-MOST = 1 << 17  # corners of the faces that are drawn, unless the mesh has more
-WHOLE = 8 * MOST  # of all meshes; each takes no more than a quarter of what the others leave
-LEAST = MOST >> 5  # that a mesh may have, however many others there are
-FINEST = 4  # times that edges are halved
+WHOLE = 8 * ROOM  # corners of all meshes; each takes at most a quarter of what the others leave
+LEAST = ROOM >> 5  # that a mesh may have, however many others there are
 
 
 _NETS: "WeakKeyDictionary[Foundation, DrawnNet]" = WeakKeyDictionary()
@@ -74,14 +73,12 @@ def _room() -> int:
     with _LOCK:
         nets = {id(net): net for net in _NETS.values()}
     drawn = sum(len(net.mesh.corners) for net in nets.values())
-    return max(LEAST, min(MOST, (WHOLE - drawn) // 4))
+    return max(LEAST, min(ROOM, (WHOLE - drawn) // 4))
 
 
 def _net(surface: MeshSurface) -> DrawnNet:
-    mesh, corners = surface.mesh, max(len(surface.mesh.corners), 1)
-    times, most = 0, _room()
-    while times < FINEST and corners * 4 ** (times + 1) <= most:
-        times += 1
+    mesh = surface.mesh
+    times = splits_within(mesh, _room())
     edges, counts = polygon_edges(mesh)
     boundary = edges[counts == 1]
     if not times:

@@ -17,6 +17,8 @@ from plusedit.geometry.mesh.polygons import PolygonMesh, fixed
 
 FEWEST = 4000  # faces: coarser meshes are split until they have as many
 MOST_TIMES = 5  # that they are split
+ROOM = 1 << 17  # corners of faces that are compared, unless the mesh has more
+FINEST = 4  # times that faces are split for that
 
 
 @dataclass(frozen=True)
@@ -78,7 +80,7 @@ def deviation(surface: MeshSurface) -> Deviation:
     Planes that were edited are away from the mesh as far as they were moved.
     """
     mesh = surface.mesh
-    finer = mesh.subdivided(times_for(mesh))
+    finer = mesh.subdivided(splits_within(mesh))
     places = vertex_places(finer.mesh, finer.along(surface.parameters))
     return deviation_of(finer.mesh, surface.at(places), mesh)
 
@@ -107,6 +109,15 @@ def times_for(mesh: PolygonMesh, fewest: int = FEWEST) -> int:
     count, times = mesh.face_count, 0
     while count < fewest and times < MOST_TIMES:
         count, times = 4 * count, times + 1
+    return times
+
+
+def splits_within(mesh: PolygonMesh, room: int = ROOM) -> int:
+    """How often the faces of a mesh can be split, to show and to measure what lies between its
+    vertices, until they have more corners than there is room for."""
+    corners, times = max(len(mesh.corners), 1), 0
+    while times < FINEST and corners * 4 ** (times + 1) <= room:
+        times += 1
     return times
 
 
