@@ -40,7 +40,7 @@ class Storage:
     """control lines, planes or faces"""
     numbers: int
     form: StandardForm | None
-    """None where there is none"""
+    """None where there is none, and of what is classical itself, s = 0"""
 
 
 def storage(geometry: PlusCurve | PlusSurface | MeshSurface) -> Storage:
@@ -52,7 +52,8 @@ def storage(geometry: PlusCurve | PlusSurface | MeshSurface) -> Storage:
     numbers = stored_numbers(geometry)
     if len(degrees) < len(bases):
         return Storage(None, len(geometry.net), numbers, None)
-    return Storage(degrees, len(geometry.net), numbers, _standard(geometry))
+    form = None if geometry.s == 0.0 else _standard(geometry)
+    return Storage(degrees, len(geometry.net), numbers, form)
 
 
 def stored_numbers(geometry: PlusCurve | PlusSurface) -> int:

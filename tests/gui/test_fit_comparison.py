@@ -3,6 +3,8 @@ import pytest
 from plusedit.document.selection import Selection
 from plusedit.views.panels import fit_comparison
 
+pytestmark = pytest.mark.gui
+
 
 @pytest.fixture
 def panel(opened, monkeypatch):

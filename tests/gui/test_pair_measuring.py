@@ -11,6 +11,8 @@ from plusedit.scene.shape_pairs import known_comparison
 from plusedit.views.pair_measuring import PairMeasuring
 from tests.geometry.surfaces import a_surface
 
+pytestmark = pytest.mark.gui
+
 SHOWN = ViewOptions(overlays=frozenset({"two_shapes"}))
 
 
