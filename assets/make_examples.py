@@ -2,7 +2,7 @@
 
 Figures 1 to 6 of A. A. Goshtasby, Plus Curves and Surfaces, with control points of our own, and
 five drawings that show what control lines are good for. Those in space are in `surface_examples`
-and `mesh_examples`, those that set the paper right in `facts`.
+and `mesh_examples`, those that set the paper right in `facts`, what it claims in `claims`.
 """
 
 from collections.abc import Callable, Iterator
@@ -10,6 +10,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+from claims import claims
 from curve_examples import (
     Layer,
     alternating,
@@ -204,7 +205,7 @@ def vase() -> Design:
 
 EXAMPLES: tuple[Callable[[], Design], ...] = (
     figure_1, figure_2, figure_3, figure_4, figure_5, figure_6,
-    clef, braid, windflower, rose, vase, *SURFACES, *MESHES, *FACTS,
+    clef, braid, windflower, rose, vase, claims, *SURFACES, *MESHES, *FACTS,
 )  # fmt: skip
 
 

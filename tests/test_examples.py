@@ -9,11 +9,14 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
+from plusedit.geometry.comparison import even_points, fit_curve
 from plusedit.geometry.frames import curvature
 from plusedit.geometry.making.lofting import section_parameters
 from plusedit.geometry.mesh.deviation import deviation
 from plusedit.geometry.mesh.flattening.distortion import flips
 from plusedit.geometry.mesh.mesh_surface import USUAL_SMOOTHNESS, MeshSurface
+from plusedit.geometry.residual import residual
+from plusedit.geometry.storage import stored_numbers
 from plusedit.geometry.surface import PlusSurface
 from plusedit.io.files import load
 from plusedit.resources import example_files, picture_of_example
@@ -314,3 +317,16 @@ def test_no_picture_is_left_of_an_example_that_is_gone():
     folder = picture_of_example(example_files()[0], "light").parent
     named = {picture_of_example(path, theme) for path in example_files() for theme in THEMES}
     assert set(folder.iterdir()) == named
+
+
+@pytest.mark.parametrize(
+    ("letter", "away", "numbers"), [("a", 0.26, 12), ("b", 0.0032, 25), ("c", 0.0015, 24)]
+)
+def test_the_curves_of_the_claims_are_as_near_to_the_spiral_as_they_say(letter, away, numbers):
+    found = panels("claims")
+    spiral, curve = found[f"spiral {letter}"], found[f"({letter})"]
+    points = even_points(spiral, 201)
+    assert stored_numbers(curve) == numbers
+    # Of the wild one, nearest points of other turns come out nearer than those that are meant.
+    assert residual(curve, points).rms <= 1.05 * away
+    assert fit_curve(points, "bspline", 6).rms > 0.2
