@@ -14,7 +14,7 @@ settings.register_profile(
     "plusedit",
     deadline=None,
     derandomize=True,
-    max_examples=50,
+    max_examples=30,
     database=None,
     suppress_health_check=[HealthCheck.too_slow],
 )

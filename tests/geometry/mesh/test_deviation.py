@@ -160,8 +160,8 @@ def a_crumpled_sheet():
 def test_the_nearest_of_all_triangles_counts_however_far_it_is_in_the_mesh():
     mesh, moved = a_crumpled_sheet()
     triangles = moved[mesh.triangulation.triangles]
-    tried = [nearest_by_trying(point, triangles) for point in mesh.vertices]
-    found = deviation_of(mesh, moved).from_mesh
+    tried = [nearest_by_trying(point, triangles) for point in mesh.vertices[::6]]
+    found = deviation_of(mesh, moved).from_mesh[: mesh.vertex_count : 6]
     assert (found <= np.array(tried) + 1e-12).all()
     assert_allclose(found, tried, atol=0.02)
 
