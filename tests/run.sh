@@ -45,11 +45,22 @@ test_on_screen() {
   [ $code = 0 ] || [ $code = 5 ] # 5: there are no such tests
 }
 
+# Types take a processor for a minute, which the tests on the screen do not need.
+"$venv/bin/mypy" plusedit >"$scratch/types.log" 2>&1 &
+types=$!
+
+check_types() {
+  wait "$types"
+  local code=$?
+  cat "$scratch/types.log"
+  return $code
+}
+
 check "format" "$venv/bin/ruff" format --check .
 check "lint" "$venv/bin/ruff" check .
-check "types" "$venv/bin/mypy" plusedit
 check "layers" "$venv/bin/lint-imports"
 check "tests with OpenGL" test_on_screen
+check "types" check_types
 [ ${#failed[@]} = 0 ] || printf '== FAILED so far: %s\n' "${failed[@]}"
 QT_QPA_PLATFORM=offscreen check "tests" "$venv/bin/python" -m pytest -m "not gl" --continue-on-collection-errors \
   --numprocesses auto --maxprocesses 4 --dist worksteal
