@@ -17,13 +17,11 @@ from plusedit.views.sketch import sketch_of
 REDUCED = 2  # pictures are drawn for twice their size, so that lines and dots are finer
 
 
-def picture_of(design: Design, size: QSize, theme: Theme, pixel_ratio: float = 1.0) -> QPixmap:
-    """A picture of a design on a transparent ground, `size` logical pixels large."""
-    return QPixmap.fromImage(small_image_of(design, size, theme, pixel_ratio))
-
-
 def small_image_of(design: Design, size: QSize, theme: Theme, pixel_ratio: float = 1.0) -> QImage:
-    """The same as an image, which may be drawn in whatever thread."""
+    """A picture of a design on a transparent ground, `size` logical pixels large.
+
+    As an image, which may be drawn in whatever thread.
+    """
     large = (size.width() * REDUCED, size.height() * REDUCED)
     draw = sketch_of if design.is_spatial else image_of
     image = draw(without_words(design), large, theme, transparent=True, ratio=pixel_ratio / REDUCED)

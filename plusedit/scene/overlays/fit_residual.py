@@ -12,7 +12,7 @@ from plusedit.geometry.residual import Residual, residual
 from plusedit.scene.items import Caption, Item, Markers, Row, Segments
 from plusedit.scene.overlays import Seen, overlay
 
-MOST = 1500  # points that are shown
+MOST = 300  # points that are shown: so many feet are found within a frame of a drag
 LOUD = "hover"
 
 fit_residual = overlay(
@@ -45,6 +45,7 @@ def points_of_fit(shape: Shape, curve: PlusCurve, seen: Seen) -> Iterator[Item]:
         Row("largest distance", _written(known.largest), LOUD),
         Row("rms", _written(known.rms)),
         Row("tolerance", _written(source.tolerance)),
+        Row("points looked at", f"{len(known.points):,} of {len(source.points):,}"),
     )
     yield Caption(f"Fit of {shape.name}", rows)
 

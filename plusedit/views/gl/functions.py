@@ -81,7 +81,6 @@ _SIGNATURES = {
     "RenderbufferStorageMultisample": "eieii",
     "ShaderSource": "eipp",
     "Uniform1f": "if",
-    "Uniform1i": "ii",
     "Uniform2f": "iff",
     "Uniform3f": "ifff",
     "Uniform4f": "iffff",

@@ -65,10 +65,6 @@ class Program:
             case _:
                 self._gl.Uniform4f(place, *values)
 
-    def set_number(self, name: str, value: int) -> None:
-        """Give a uniform a whole number."""
-        self._gl.Uniform1i(self._place(name), value)
-
     def set_matrix(self, name: str, matrix: Floats) -> None:
         """Give a uniform a matrix (3, 3) or (4, 4), rows first."""
         rows = np.ascontiguousarray(matrix, dtype=np.float32)

@@ -111,10 +111,3 @@ class Sight:
 
 
 _CORNERS = np.indices((2, 2, 2)).reshape(3, 8).T.astype(np.bool_)
-
-
-def box_of(points: Floats) -> Box | None:
-    """The box around points (m, 3), None if there are none."""
-    if not len(points):
-        return None
-    return points.min(axis=0), points.max(axis=0)
