@@ -19,6 +19,7 @@ from plusedit.interaction.tool import Feedback, Held, Pointer
 from plusedit.scene.drawn_mesh import looks_alike
 from plusedit.scene.items import Item
 from plusedit.scene.options import ViewOptions
+from plusedit.scene.space_camera import SpaceCamera
 from plusedit.scene.theme import LIGHT, Theme
 from plusedit.views.navigation import C
 from plusedit.views.pointer import held_after, key_of, pointer_of
@@ -54,7 +55,8 @@ class Editing(Wayfinding[C]):
         """whether neither the view nor the design has changed for a moment"""
         self._rest = QTimer(self, singleShot=True, interval=RESTS_AFTER)
         self._rest.timeout.connect(self._at_rest)
-        self._strip = SettingsStrip(self, self._strip_top)
+        in_space = isinstance(self.camera, SpaceCamera)
+        self._strip = SettingsStrip(self, self._strip_top, in_space=in_space)
         self._strip.changed.connect(self.setting_changed)
         self.setMinimumSize(160, 120)
         deaf = [
@@ -87,7 +89,7 @@ class Editing(Wayfinding[C]):
     def set_options(self, options: ViewOptions) -> None:
         """Show that besides the shapes."""
         self._options = self._gestures.options = options
-        self._strip.show_options(options)
+        self._strip.show_options(options, self._session.design)
         self.update()
 
     @property
@@ -174,6 +176,7 @@ class Editing(Wayfinding[C]):
     def _edited(self, old: Design, new: Design) -> None:
         self._is_resting = False
         self._rest.start()
+        self._strip.show_design(self._options, new)
         if not looks_alike(old, new):
             self.update()
 

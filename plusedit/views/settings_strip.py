@@ -6,8 +6,10 @@ from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 
+from plusedit.document.design import Design
+from plusedit.scene.in_use import in_use
 from plusedit.scene.options import ViewOptions
-from plusedit.scene.overlays import Setting, in_order
+from plusedit.scene.overlays import Overlay, Setting, in_order
 from plusedit.views.fields import NumberField
 
 DOUBLES = 120.0  # pixels to the right by which a number becomes twice as large
@@ -16,6 +18,7 @@ STARTS_AT = 3.0  # pixels; a press and release within them is a click, to type
 DIGITS = 3
 EDGE = 8  # pixels from the edges of the view
 WIDTH = 60  # pixels of a number
+THREE = 3  # columns: what is set, the number, arrows
 NOTE = "Drag sideways or turn the wheel; click to type; double-click for the usual {usual:g}"
 
 
@@ -85,17 +88,16 @@ class SettingField(NumberField):
 
 
 class SettingsStrip(QWidget):
-    """A row for each number; hidden while no overlay that is on has any."""
+    """A row for each number; hidden while no overlay that draws something has any."""
 
     changed = Signal(str, float)
     """"overlay.setting", and the number"""
 
-    def __init__(self, view: QWidget, top: Callable[[], int]) -> None:
+    def __init__(self, view: QWidget, top: Callable[[], int], *, in_space: bool) -> None:
         super().__init__(view)
-        self._view, self._top = view, top
-        self._names: tuple[str, ...] = ()
+        self._view, self._top, self._in_space = view, top, in_space
+        self._shown: list[Overlay] = []
         self._fields: dict[str, SettingField] = {}
-        self._options = ViewOptions()
         self._rows = QGridLayout(self)
         self._rows.setContentsMargins(8, 4, 6, 4)
         self._rows.setSpacing(4)
@@ -106,43 +108,62 @@ class SettingsStrip(QWidget):
         view.installEventFilter(self)
         self.hide()
 
-    def show_options(self, options: ViewOptions) -> None:
-        """Show the numbers of the overlays that are on."""
-        self._options = options
-        entries = [entry for entry in in_order() if entry.name in options.overlays]
-        settings = {f"{o.name}.{s.name}": s for o in entries for s in o.settings}
-        if tuple(settings) != self._names:
-            self._names = tuple(settings)
-            self._fill(settings)
-        for entry in entries:
-            for name, value in entry.numbers(options.settings).items():
-                self._fields[f"{entry.name}.{name}"].show_value(value)
+    def show_options(self, options: ViewOptions, design: Design) -> None:
+        """Show the numbers of the overlays that are on, as far as they draw anything."""
+        self.show_design(options, design)
+        for owner in self._shown:
+            for name, value in owner.numbers(options.settings).items():
+                self._fields[f"{owner.name}.{name}"].show_value(value)
         self.place()
+
+    def show_design(self, options: ViewOptions, design: Design) -> None:
+        """The same after an edit, which may have brought the first shape that an overlay draws."""
+        named = (entry for entry in in_order() if entry.name in options.overlays)
+        asked = (entry for entry in named if entry.settings)
+        shown = in_use(asked, design, in_space=self._in_space)
+        if shown != self._shown:
+            self._shown = shown
+            self._fill(shown)
+            self.show_options(options, design)
 
     def place(self) -> None:
         """Take the upper right corner, if there is anything to show."""
-        self.setVisible(bool(self._names))
-        if self._names:
+        self.setVisible(bool(self._shown))
+        if self._shown:
             self.adjustSize()
             self.move(self._view.width() - self.width() - EDGE, self._top())
             self.raise_()
 
-    def _fill(self, settings: dict[str, Setting]) -> None:
+    def _fill(self, entries: list[Overlay]) -> None:
         while (item := self._rows.takeAt(0)) is not None:
             if (widget := item.widget()) is not None:
                 widget.hide()
                 widget.deleteLater()
         self._fields = {}
-        for row, (name, setting) in enumerate(settings.items()):
-            label, arrows = QLabel(setting.title), QLabel("↔")
-            for quiet in (label, arrows):
-                quiet.setProperty("quiet", True)
-            field = SettingField(setting, lambda value, name=name: self.changed.emit(name, value))  # type: ignore[misc]
-            self._fields[name] = field
-            for column, widget in enumerate((label, field, arrows)):
-                self._rows.addWidget(widget, row, column)
-                # Of a strip in sight, a layout leaves out what is not shown yet.
-                widget.show()
+        rows: list[tuple[str, Setting] | str] = []
+        for entry in entries:
+            # Settings of several overlays may have the same titles.
+            rows += [entry.title] if len(entries) > 1 else []
+            rows += [(f"{entry.name}.{setting.name}", setting) for setting in entry.settings]
+        for place, row in enumerate(rows):
+            if isinstance(row, str):
+                self._put(QLabel(row), place, 0, THREE)
+            else:
+                self._put_setting(*row, place)
+
+    def _put_setting(self, name: str, setting: Setting, row: int) -> None:
+        label, arrows = QLabel(setting.title), QLabel("↔")
+        for quiet in (label, arrows):
+            quiet.setProperty("quiet", True)
+        field = SettingField(setting, lambda value: self.changed.emit(name, value))
+        self._fields[name] = field
+        for column, widget in enumerate((label, field, arrows)):
+            self._put(widget, row, column)
+
+    def _put(self, widget: QWidget, row: int, column: int, columns: int = 1) -> None:
+        self._rows.addWidget(widget, row, column, 1, columns)
+        # Of a strip in sight, a layout leaves out what is not shown yet.
+        widget.show()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.Resize:

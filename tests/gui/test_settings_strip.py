@@ -4,8 +4,9 @@ import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QLabel
 
+from plusedit.commands.shapes import SetVisible
 from plusedit.scene.options import options_of
 from plusedit.views.settings_strip import DOUBLES, NOTCH, SettingField, SettingsStrip
 from tests.gui.test_canvas import LEFT, move
@@ -14,11 +15,11 @@ pytestmark = pytest.mark.gui
 
 
 @pytest.fixture
-def strip(window):
-    """The strip of the 2D view, with the numbers of combs."""
-    window.show_view()
-    window.view.toggle_overlay("comb")
-    return window.canvas.findChild(SettingsStrip)
+def strip(opened):
+    """The strip of the 2D view, with the numbers of combs of curves among other shapes."""
+    if "comb" not in opened.view.options.overlays:
+        opened.view.toggle_overlay("comb")
+    return opened.canvas.findChild(SettingsStrip)
 
 
 @pytest.fixture
@@ -43,11 +44,44 @@ def test_it_is_there_while_an_overlay_with_numbers_is_on(window, strip):
     assert not strip.isVisible()
 
 
+def hide(window, *, unless):
+    """Leave shapes of that kind alone in sight."""
+    design = window.session.design
+    others = [i for i, shape in design.shapes.items() if getattr(shape, unless) is None]
+    window.session.commit(SetVisible(others, False))
+
+
+def titles(strip):
+    return [label.text() for label in strip.findChildren(QLabel) if label.isVisible()]
+
+
+def test_numbers_of_what_draws_nothing_are_not_there(window, strip):
+    hide(window, unless="mesh")
+    assert not strip.isVisible()
+    window.undo()
+    assert strip.isVisible()
+
+
+def test_numbers_of_colors_and_stripes_are_in_the_view_of_space_alone(window, strip):
+    window.view.toggle_overlay("comb")
+    window.view.toggle_overlay("zebra")
+    assert not strip.isVisible()
+
+
+def test_numbers_of_several_overlays_stand_below_their_names(window, strip):
+    assert "Curvature comb" not in titles(strip)
+    window.view.toggle_overlay("normals")
+    window.view.toggle_overlay("principal")
+    assert titles(strip).count("Density") == 2
+    assert {"Curvature comb", "Normals", "Principal directions"} <= {*titles(strip)}
+
+
 def test_numbers_that_replace_others_have_room(window, strip):
     window.view.toggle_overlay("comb")
-    window.view.toggle_overlay("gaussian")
+    window.view.toggle_overlay("normals")
     QApplication.processEvents()
-    window.view.toggle_overlay("zebra")
+    window.view.toggle_overlay("normals")
+    window.view.toggle_overlay("decomposition")
     [field] = [found for found in strip.findChildren(SettingField) if found.isVisible()]
     assert strip.rect().contains(field.geometry())
     assert field.geometry().height() >= field.minimumSizeHint().height()
