@@ -2,8 +2,8 @@
 
 from itertools import pairwise
 
-from PySide6.QtCore import QByteArray, Qt
-from PySide6.QtWidgets import QDockWidget, QLabel, QMainWindow, QWidget
+from PySide6.QtCore import QByteArray, Qt, QTimer
+from PySide6.QtWidgets import QDockWidget, QLabel, QMainWindow, QTabWidget, QWidget
 
 from plusedit.views.desk import Desk
 from plusedit.views.panels import panels
@@ -17,6 +17,7 @@ AREAS = {
 WIDTHS = {"left": 272, "right": 264, "beside": 440}  # logical pixels at the first start
 HEIGHTS = {"outliner": 300, "lines_table": 300}
 HEIGHT_BELOW = 232
+LEAST_BELOW = 360  # wide; where panels side by side would be narrower, the next one is a tab
 STATE = 2  # version of the kept places of docks
 
 
@@ -30,15 +31,22 @@ class Docks:
         # What is below the views is as wide as they are: the sides keep their height.
         window.setCorner(Qt.Corner.BottomLeftCorner, AREAS["left"])
         window.setCorner(Qt.Corner.BottomRightCorner, AREAS["right"])
+        window.setTabPosition(AREAS["below"], QTabWidget.TabPosition.North)
+        window.setDocumentMode(True)
         self._state: QByteArray | None = None
         self._widths: dict[str, int] = {}
         """of docks beside the views when they were hidden"""
+        self._heads: dict[str, tuple[QWidget, QWidget]] = {}
+        """of docks below the views: the title, and what takes its place where a tab has it"""
         for name in sorted(panels, key=lambda name: panels[name].order):
             panel = panels[name]
             dock = QDockWidget(panel.title, window)
             dock.setObjectName(name)
             dock.setFeatures(QDockWidget.DockWidgetFeature.DockWidgetMovable)
-            dock.setTitleBarWidget(head_of(panel.title))
+            head = head_of(panel.title)
+            dock.setTitleBarWidget(head)
+            if panel.area == "below":
+                self._heads[name] = head, QWidget()
             dock.setWidget(panel.make(desk))
             window.addDockWidget(AREAS[panel.area], dock)
             self.by_name[name] = dock
@@ -46,6 +54,9 @@ class Docks:
         for name, dock in self.by_name.items():
             dock.setVisible(panels[name].is_shown)
         self._size()
+        for dock in (self.by_name[name] for name in self._heads):
+            dock.visibilityChanged.connect(self._show_heads)
+            dock.dockLocationChanged.connect(self._show_heads)
 
     def widget(self, name: str) -> QWidget:
         """What is in a dock."""
@@ -62,7 +73,9 @@ class Docks:
             return
         others = [self.by_name[n] for n in self._of("right") if not self.by_name[n].isHidden()]
         widths = [other.width() for other in others]
-        if not dock.isHidden():
+        if dock.isHidden():
+            self._make_room_below(self._widths.get(name, WIDTHS["beside"]))
+        else:
             self._widths[name] = dock.width()
         dock.setVisible(dock.isHidden())
         # Else what it takes or gives back would be the neighbors' and not the views'.
@@ -72,10 +85,56 @@ class Docks:
         self._window.resizeDocks(others, widths, Qt.Orientation.Horizontal)
 
     def _toggle_below(self, dock: QDockWidget) -> None:
-        others = [self.by_name[n] for n in self._of("below") if not self.by_name[n].isHidden()]
-        dock.setVisible(dock.isHidden())
-        if not dock.isHidden() and not others:
+        if not dock.isHidden() and self._is_covered(dock):
+            dock.raise_()
+            return
+        if not dock.isHidden():
+            dock.hide()
+            return
+        seen = self._seen_below()
+        room = sum(other.width() for other in seen) // (len(seen) + 1)
+        if seen and room < LEAST_BELOW:
+            self._window.tabifyDockWidget(seen[-1], dock)
+        dock.show()
+        dock.raise_()
+        if not seen:
             self._window.resizeDocks([dock], [HEIGHT_BELOW], Qt.Orientation.Vertical)
+        elif room >= LEAST_BELOW:
+            row = [*seen, dock]
+            self._window.resizeDocks(row, [room] * len(row), Qt.Orientation.Horizontal)
+        # How wide they can be is known once the window is laid out.
+        QTimer.singleShot(0, self._window, self._make_room_below)
+
+    def _seen_below(self) -> list[QDockWidget]:
+        """Those that are not hidden, nor behind a tab; from left to right."""
+        below = [self.by_name[name] for name in self._of("below")]
+        seen = [dock for dock in below if not dock.isHidden() and not self._is_covered(dock)]
+        return sorted(seen, key=lambda dock: dock.x())
+
+    def _make_room_below(self, taken: int = 0) -> None:
+        """Where panels below are too narrow side by side, or will be, make tabs of them."""
+        seen = self._seen_below()
+        if len(seen) > 1 and min(dock.width() for dock in seen) - taken / len(seen) < LEAST_BELOW:
+            below = [self.by_name[name] for name in self._of("below")]
+            for dock in below:
+                if dock is not seen[0] and not dock.isHidden():
+                    self._window.tabifyDockWidget(seen[0], dock)
+            seen[-1].raise_()
+            self._show_heads()
+
+    def _show_heads(self) -> None:
+        """Titles of the docks below the views, where no tab has them."""
+        for name, (head, nothing) in self._heads.items():
+            dock = self.by_name[name]
+            is_tab = any(not other.isHidden() for other in self._window.tabifiedDockWidgets(dock))
+            wanted = nothing if is_tab else head
+            if dock.titleBarWidget() is not wanted:
+                dock.setTitleBarWidget(wanted)
+
+    def _is_covered(self, dock: QDockWidget) -> bool:
+        """Whether another tab lies in front."""
+        beside = self._window.tabifiedDockWidgets(dock)
+        return any(not other.isHidden() for other in beside) and dock.visibleRegion().isEmpty()
 
     def state(self) -> QByteArray:
         """Where docks and tool bars are, to be kept."""

@@ -17,6 +17,7 @@ EMPTY = (
     "Nothing is selected.\n\n"
     "Click a curve or a surface to see its numbers, or press P and draw a curve."
 )
+LEAST_WIDTH = 264  # pixels, where no field is cut
 
 
 @panel("inspector", title="Inspector", area="right", order=1)
@@ -25,7 +26,7 @@ class Inspector(LiveWidget):
 
     def __init__(self, desk: Desk) -> None:
         super().__init__(desk)
-        self.setMinimumWidth(232)
+        self.setMinimumWidth(LEAST_WIDTH)
         self._empty = quiet(EMPTY)
         self._shape = ShapeForm(desk)
         self._rule = rule()
