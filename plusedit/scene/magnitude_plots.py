@@ -25,7 +25,7 @@ def distance_plot(distances: Distances, best: float | None) -> Plot:
         PlotLine(x, distances.mean, MEAN, name="rms"),
     )
     y = axis_for(distances.mean, distances.largest, from_zero=True)
-    return Plot("Distance to control points", X, y, lines, _marks(best), "units", NAME)
+    return Plot("Distance to points", X, y, lines, _marks(best), "units", NAME)
 
 
 def energy_plot(profile: MagnitudeProfile, best: float | None, *, is_curve: bool) -> Plot:

@@ -13,6 +13,7 @@ from plusedit.scene.items import Dash
 ACROSS, UPWARDS = 40.0, 24.0  # pixels, at least, from one number of an axis to the next
 HEADROOM = 0.06  # of what is shown, left free above and below
 UNEVEN = 30.0  # ratio of values from which on their logarithms are shown
+DASHES: dict[Dash, str] = {"solid": "solid line", "dash": "dashed line", "dot": "dotted line"}
 
 
 @dataclass(frozen=True, eq=False)
@@ -108,6 +109,12 @@ class Plot:
     inside: tuple[float, float] | None = None
     """where x means something by itself; what lies outside repeats it, and is dimmed"""
 
+    @property
+    def words(self) -> str:
+        """What it shows, for where the title or the legend find no room."""
+        lines = (f"{line.name}: {DASHES[line.dash]}" for line in self.lines if line.name)
+        return "\n".join([", ".join(filter(None, (self.title, self.unit))), *lines])
+
 
 def axis_for(*rows: Floats, from_zero: bool = False, even: bool = True) -> Axis:
     """An axis on which all finite values of rows have room.
@@ -124,6 +131,8 @@ def axis_for(*rows: Floats, from_zero: bool = False, even: bool = True) -> Axis:
         return Axis(low / room, high * room, is_logarithmic=True)
     if from_zero:
         low, high = min(low, 0.0), max(high, 0.0)
+    if from_zero and low == high:
+        return Axis(0.0, 1.0)
     if high - low <= 1e-12 * max(abs(low), abs(high), 1e-300):
         low, high = low - (abs(low) or 1.0) / 2.0, high + (abs(high) or 1.0) / 2.0
     room = HEADROOM * (high - low)

@@ -75,6 +75,7 @@ class PlotView(QWidget):
         """Show that, in those colors."""
         if plot is not self._plot or theme is not self._theme:
             self._plot, self._theme, self._still = plot, theme, None
+            self.setToolTip("" if plot is None else plot.words)
             self.update()
 
     def show_cursor(self, x: float | None) -> None:

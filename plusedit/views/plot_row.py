@@ -27,7 +27,8 @@ def stacked_plots(
     column.addLayout(row, 1)
     column.addWidget(numbers)
     sentence.setAlignment(Qt.AlignmentFlag.AlignCenter)
-    # Numbers that find no room must not make the panel wider than its plots.
+    # Numbers that find no room in a line take another: they must not make the panel wider.
+    numbers.setWordWrap(True)
     numbers.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
     sentence.setMinimumWidth(1)
     stack = QStackedLayout(parent)

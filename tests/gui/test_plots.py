@@ -117,7 +117,7 @@ def test_a_hidden_panel_marks_nothing_and_hears_nothing(wing):
 def test_what_s_does_is_worked_out_beside_and_shown(qtbot, wing):
     panel = waited(qtbot, shown(wing, "s_plot"))
     assert [plot.plot.title for plot in panel.plots] == [
-        "Distance to control points",
+        "Distance to points",
         "Bending energy",
         "Largest curvature",
     ]
@@ -173,3 +173,22 @@ def test_with_another_shape_selected_the_plots_are_of_that(qtbot, wing):
     wing.session.select(Selection.of_shapes([BOW]))
     panel.refresh()
     qtbot.waitUntil(lambda: panel.plots[1].plot not in (None, before))
+
+
+def test_all_numbers_of_what_s_does_have_room_in_a_narrow_panel(qtbot, wing):
+    panel = shown(wing, "s_plot")
+    waited(qtbot, panel)
+    panel.refresh()
+    panel.numbers.setFixedWidth(340)
+    QApplication.processEvents()
+    assert "curvature" in panel.numbers.text()
+    assert panel.numbers.height() >= panel.numbers.heightForWidth(panel.numbers.width())
+
+
+def test_a_plot_says_what_its_lines_are_where_the_legend_has_no_room(wing):
+    plot, *_ = shown(wing, "s_plot").plots
+    assert plot.toolTip().splitlines() == [
+        "Distance to points, units",
+        "largest: dashed line",
+        "rms: solid line",
+    ]

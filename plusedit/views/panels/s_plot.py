@@ -119,7 +119,8 @@ class SPlot(LiveWidget):
                 ("curvature", self._profile.curvature),
             ):
                 parts.append(f"{name} {_written(float(np.interp(ratio, ratios(), values)))}")
-        return "     ".join(parts)
+        # A line ends between numbers, not within what belongs together.
+        return "     ".join(part.replace(" ", "\N{NO-BREAK SPACE}") for part in parts)
 
     # The cursor
 
