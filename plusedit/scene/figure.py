@@ -27,6 +27,7 @@ POINT = 25.4 / 72.0  # millimeters
 PAPER = "#FFFFFF"
 HIGHEST = 1.6  # widths: how high a figure becomes that is fitted to what it shows
 MOST_ASIDE = 0.4  # of the width that a legend may have beside the shapes
+MOST_BELOW = 0.5  # of a height that is given, for a legend below the shapes
 HUGE = 1e5  # pixels: room for every legend
 RANGES = {"width": (10.0, 2000.0), "height": (5.0, 2000.0), "text": (2.0, 72.0), "line": (0.1, 20)}
 UNITS = {"width": "mm", "height": "mm", "text": "pt", "line": "pt"}
@@ -133,17 +134,29 @@ class Figure:
 def bands(corners: Sequence[Corner], form: FigureForm) -> tuple[float, float]:
     """What legends need beside the shapes, and captions below them: pixels to the right, below.
 
-    A legend that would take too much of the width stands before the shapes instead.
+    A legend that would take too much of the width stands below them, too; or before them, where the
+    height is given and would be gone.
     """
     across = form.width / form.pixel
     right = below = 0.0
     for item in corners:
         if isinstance(item, Legend):
-            legend = placed(item, (HUGE, HUGE), 0.0)
-            right = 0.0 if legend is None else (legend.box[2] + ASIDE) * form.words
+            legend = placed(item, (across / form.words, HUGE), 0.0)
+            if legend is not None:
+                right = (legend.box[2] + ASIDE) * form.words
+                if right > MOST_ASIDE * across:
+                    right, below = 0.0, _below(legend.box[3], form, below)
         elif (caption := placed_caption(item, (HUGE, HUGE))) is not None:
             below = max(below, (caption.box[3] + item.at[1] + ASIDE) * form.words)
-    return (right if right <= MOST_ASIDE * across else 0.0), below
+    return right, below
+
+
+def _below(legend: float, form: FigureForm, captions: float) -> float:
+    """What a legend so high leaves of a figure for itself and captions."""
+    needed = (legend + ASIDE) * form.words
+    if form.height is not None and needed > MOST_BELOW * form.height / form.pixel:
+        return captions
+    return max(captions, needed)
 
 
 def cropped(

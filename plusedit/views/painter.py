@@ -11,7 +11,7 @@ from functools import cached_property, lru_cache, singledispatch
 from itertools import groupby
 
 import numpy as np
-from PySide6.QtCore import QPointF, Qt
+from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPaintDevice, QPainter, QPen
 
 from plusedit.geometry.arrays import Floats
@@ -102,12 +102,20 @@ class ItemPainter:
             pairs = polygon_of(np.stack([starts, ends], axis=1).reshape(-1, 2))
             self.painter.drawLines(pairs.data(), len(starts))
 
-    def spots(self, screen: Floats, size: float, color: str, cap: Qt.PenCapStyle) -> None:
-        """Filled circles or squares at pixels (m, 2): points drawn with a wide pen."""
+    def circles(self, screen: Floats, size: float, color: str) -> None:
+        """Filled circles at pixels (m, 2): points drawn with a wide pen."""
         pen = QPen(color_of(color), size)
-        pen.setCapStyle(cap)
+        pen.setCapStyle(Qt.PenCapStyle.RoundCap)
         self.painter.setPen(pen)
         self.painter.drawPoints(polygon_of(screen))
+
+    def squares(self, screen: Floats, size: float, color: str) -> None:
+        """Filled squares at pixels (m, 2). Points with square caps would be nothing in a PDF."""
+        self.painter.setPen(Qt.PenStyle.NoPen)
+        self.painter.setBrush(color_of(color))
+        corners = (screen - size / 2.0).tolist()
+        self.painter.drawRects([QRectF(x, y, size, size) for x, y in corners])
+        self.painter.setBrush(Qt.BrushStyle.NoBrush)
 
     def outlines(self, screen: Floats, item: Markers, fill: str | None) -> None:
         """Rings or diamonds at pixels (m, 2), one by one."""
@@ -180,10 +188,10 @@ def _(item: Markers, to: ItemPainter) -> None:
     fill = to.theme.color("canvas" if item.fill is None else item.fill)
     match item.mark:
         case "circle" | "square":
-            cap = _ROUND if item.mark == "circle" else _SQUARE
-            to.spots(screen, item.size, outline, cap)
+            spots = to.circles if item.mark == "circle" else to.squares
+            spots(screen, item.size, outline)
             if fill != outline:
-                to.spots(screen, item.size - 2.0 * item.width, fill, cap)
+                spots(screen, item.size - 2.0 * item.width, fill)
         case "ring":
             to.outlines(screen, item, None)
         case "diamond":
@@ -228,7 +236,6 @@ def _(item: Caption, to: ItemPainter) -> None:
         paint_caption(to.painter, caption, to.theme)
 
 
-_ROUND, _SQUARE = Qt.PenCapStyle.RoundCap, Qt.PenCapStyle.SquareCap
 _DIAMOND = np.array([[0.0, -1.0], [1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]])
 
 
@@ -248,7 +255,7 @@ def pen_of(color: str, width: float, dash: str) -> QPen:
     # Round joins take half as long again, and between the short chords of a curve nobody sees them.
     pen.setJoinStyle(Qt.PenJoinStyle.MiterJoin)
     pen.setMiterLimit(SHARPEST)
-    pen.setCapStyle(_ROUND if dash == "solid" else Qt.PenCapStyle.FlatCap)
+    pen.setCapStyle(Qt.PenCapStyle.RoundCap if dash == "solid" else Qt.PenCapStyle.FlatCap)
     if dash != "solid":
         pen.setDashPattern([length / max(width, 1.0) for length in DASHES[dash]])
     return pen

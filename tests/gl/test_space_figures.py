@@ -1,21 +1,26 @@
 """Figures in space: shaded surfaces as one image, and vectors of what is seen over it."""
 
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from plusedit.document.design import Design
 from plusedit.document.shape import Shape, ShapeId
+from plusedit.geometry.arrays import unit
 from plusedit.geometry.bases.bernstein import Bernstein
 from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.lines import ControlLines
+from plusedit.geometry.surface_frames import normals
+from plusedit.io.files import load
 from plusedit.scene.figure import FigureForm
 from plusedit.scene.figure_composition import space_figure
 from plusedit.scene.items import Markers, Polyline, Segments
 from plusedit.views.figure_files import figure_file
 from plusedit.views.gl.hidden import depths_of, parted
 from plusedit.views.space_figure import drawn_figure
+from tests.gui.conftest import example
 from tests.scene.test_figure import SPACE
 
 pytestmark = pytest.mark.gl
@@ -44,6 +49,22 @@ def depths(gl):
 def test_points_are_hidden_behind_a_surface_and_nowhere_else(depths):
     points = np.array([[0.0, -1.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.0], [1.05, 1.0, 0.0]])
     assert depths.sees(points).tolist() == [True, False, True, True]
+
+
+@pytest.mark.parametrize("perspective", [True, False])
+def test_what_lies_on_the_far_side_is_hidden_however_near_the_eye(gl, perspective):
+    design, u = load(example("torus.json")).design, np.linspace(0.0, 1.0, 24)
+    (surface,) = (shape.surface for shape in design.shapes.values())
+    figure = space_figure(design, FigureForm())
+    camera = replace(figure.camera, perspective=perspective)
+    depths = depths_of(gl, figure.space.solids, camera)
+    points, *ways = (rows.reshape(-1, 3) for rows in surface.derivatives(u, u, highest=1))
+    middles = unit(points * [1.0, 1.0, 0.0]) * 2.0
+    across = normals(*ways)
+    across *= np.sign(((points - middles) * across).sum(axis=1, keepdims=True))
+    facing = across @ camera.toward
+    assert depths.sees(points[facing > 0.6]).all()
+    assert not depths.sees(points[facing < -0.6]).any()
 
 
 def test_a_line_is_cut_where_it_goes_behind_a_surface(depths):

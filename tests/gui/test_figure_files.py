@@ -2,12 +2,15 @@
 
 import re
 import zlib
+from dataclasses import replace
 
+import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
 from plusedit.scene.figure import FigureForm
 from plusedit.scene.figure_composition import plane_figure
+from plusedit.scene.items import Markers
 from plusedit.views.figure_files import check_resolution, figure_file
 from tests.scene.test_figure import PLANE
 
@@ -37,6 +40,20 @@ def test_a_pdf_is_one_page_as_large_as_the_figure(qapp, width):
     assert len(re.findall(rb"/Type /Page\b", data)) == 1
     assert_allclose(points_of(data), figure.size, atol=0.1)
     assert points_of(data)[0] == pytest.approx(width, abs=0.1)
+
+
+def test_square_marks_of_a_pdf_are_areas(qapp):
+    """Points with square caps have no direction, and are nothing in a PDF."""
+    square = Markers(np.array([[0.5, 0.5]]), "square", 9.0, "line", "canvas", 1.0)
+    figure = plane_figure(PLANE, FigureForm())
+    squares, none = (
+        [*streams_of(figure_file(replace(figure, flat=flat), ".pdf", 300.0))]
+        for flat in ((square,), ())
+    )
+    assert sum(stream.count(b"2 J") for stream in squares) == sum(
+        stream.count(b"2 J") for stream in none
+    )
+    assert sum(map(len, squares)) > sum(map(len, none))
 
 
 def test_the_places_of_objects_in_a_pdf_are_right(qapp):

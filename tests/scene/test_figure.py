@@ -96,8 +96,14 @@ def test_legends_get_room_on_the_right_and_captions_below():
     assert right > 50.0 and below == 0.0
     right, below = bands([Caption("Length", (Row("Arc", "3"),))], form)
     assert right == 0.0 and below > 20.0
-    # In a narrow figure a legend stands before the shapes instead.
-    assert bands([LEGEND], replace(form, width=20.0)) == (0.0, 0.0)
+
+
+def test_a_legend_stands_below_where_it_would_take_too_much_of_the_width():
+    form = FigureForm(width=40.0)
+    right, below = bands([LEGEND], form)
+    assert right == 0.0 and below > 50.0
+    # Where that would take too much of a given height, it stands before the shapes.
+    assert bands([LEGEND], replace(form, height=30.0)) == (0.0, 0.0)
 
 
 def test_of_nothing_the_whole_view_is_shown():

@@ -21,7 +21,7 @@ from plusedit.views.gl.targets import Target
 LARGEST = 2048  # pixels to a side
 STEP = 1.5  # logical pixels between the places of a line that are looked at
 MOST = 400  # such places of one chord
-SLACK = 1e-4  # of the depth that is drawn
+SLACK = 1.0  # logical pixels: what lies no deeper behind a surface is on it
 
 Flags = NDArray[np.bool_]
 
@@ -45,11 +45,25 @@ class Depths:
         x, y = (places[:, 0] + 1.0) / 2.0 * width, (1.0 - places[:, 1]) / 2.0 * height
         inside = (x >= 0.0) & (x < width) & (y >= 0.0) & (y < height) & (clip[:, 3] > 0.0)
         seen: Flags = np.ones(len(points), dtype=np.bool_)
-        depth = (places[inside, 2] + 1.0) / 2.0
         there = self.nearest[y[inside].astype(np.intp), x[inside].astype(np.intp)]
+        deep, surface = self._away(places[inside, 2]), self._away(2.0 * there - 1.0)
+        slack = SLACK * self.camera.pixel_at(in_space(points)[inside])
         # Where there is no surface, nothing is hidden, however far behind the farthest it lies.
-        seen[inside] = (depth <= there + SLACK) | (there >= 1.0)
+        seen[inside] = (deep <= surface + slack) | (there >= 1.0)
         return seen
+
+    def _away(self, depth: Floats) -> Floats:
+        """How far along the view depths in clip space lie, in the world.
+
+        In perspective those of clip space crowd together: a slack among them would be different
+        for every range that is drawn.
+        """
+        forth, along = self.matrix[2], self.matrix[3, :3]
+        if not along.any():
+            return depth / np.linalg.norm(forth[:3])
+        share = forth[:3] @ along / (along @ along)
+        away: Floats = (forth[3] - share * self.matrix[3, 3]) / (depth - share)
+        return away
 
 
 def depths_of(gl: Functions, solids: Sequence[Solid], camera: SpaceCamera) -> Depths:
