@@ -67,12 +67,9 @@ def curvature_profile(curve: PlusCurve, count: int) -> tuple[CurvaturePiece, ...
     return curvature_run(curve, count).pieces()
 
 
-def curvature_run(curve: PlusCurve, count: int, *, finer: int = 1) -> CurvatureRun:
-    """The same in one row, with `finer` samples for one; by cached matrices.
-
-    Pieces have 1 + finer k samples, k at least 3 and about `count` in all.
-    """
-    grid, starts = _grid(curve.basis, count, finer)
+def curvature_run(curve: PlusCurve, count: int) -> CurvatureRun:
+    """The same in one row, by cached matrices."""
+    grid, starts = _grid(curve.basis, count)
     points, velocity, acceleration = curve.jets(grid)
     vectors = curvature_vectors(velocity, acceleration)
     signed = curvature if curve.dimension == 2 else space_curvature
@@ -80,12 +77,12 @@ def curvature_run(curve: PlusCurve, count: int, *, finer: int = 1) -> CurvatureR
 
 
 @lru_cache(maxsize=32)
-def _grid(basis: Basis, count: int, finer: int) -> tuple[Grid, NDArray[np.intp]]:
+def _grid(basis: Basis, count: int) -> tuple[Grid, NDArray[np.intp]]:
     """Samples of all pieces, and where each begins."""
     ends = breaks(basis)
     rows = []
     for low, high in pairwise(ends):
-        u = np.linspace(low, high, finer * max(3, round(count * (high - low)) - 1) + 1)
+        u = np.linspace(low, high, max(4, round(count * (high - low))))
         # At a knot the curvature is that of the piece to the right: just before, of the left.
         u[-1] = np.nextafter(high, 0.0)
         rows.append(u)

@@ -1,13 +1,15 @@
 """Curvature combs: teeth across a curve, as long as it is curved, and the line along their tips.
 
-A tooth stands on the outer side of the curve, at p - f k N with the curvature vector k N. The
-factor f is the same for all of a design, so that combs of different curves can be compared. Where
-the curvature jumps, at a knot, there are two teeth and the line is broken; it is broken, too, where
-teeth would be longer than the design and are cut.
+A tooth stands on the outer side of the curve, at p - f k N with the curvature vector k N. Teeth are
+even by length along the curve, however fast it runs through its parameters. The factor f is the
+same for all of a design, so that combs of different curves can be compared. Where the curvature
+jumps, at a knot, there are two teeth and the line is broken; it is broken, too, where teeth would
+be longer than the design and are cut.
 """
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from itertools import pairwise
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -20,8 +22,8 @@ from plusedit.scene.camera import Camera
 from plusedit.scene.extents import USUAL, Extent
 from plusedit.scene.items import Item, Label, Polyline, Segments
 
-TEETH = 100  # of a curve, about; between knots three at least
-FINER = 4  # places of the line along the tips for each tooth
+TEETH = 100  # of a curve, about
+SAMPLES, EACH = 800, 8  # places of the line along the tips: of a curve, and of each control line
 SHARE = 0.08  # of the size of shapes: a tooth where a curve bends as its polygon does in the mean
 LONGEST = 0.5  # sizes: longer teeth are cut
 EVEN = 1e-6  # of the size: tips that near are one
@@ -64,7 +66,7 @@ class Comb:
 
 @dataclass(eq=False)
 class _Kept:
-    runs: dict[int, CurvatureRun] = field(default_factory=dict)
+    run: CurvatureRun
     combs: dict[Measure, Comb] = field(default_factory=dict)
 
 
@@ -73,12 +75,13 @@ _KEPT: "WeakKeyDictionary[PlusCurve, _Kept]" = WeakKeyDictionary()
 
 def comb_of(curve: PlusCurve, measure: Measure) -> Comb:
     """The comb of a curve; the same one, with the same items, for the same measure."""
-    kept = _KEPT.setdefault(curve, _Kept())
+    kept = _KEPT.get(curve)
+    if kept is None:
+        count = max(SAMPLES, EACH * len(curve.lines))
+        kept = _KEPT[curve] = _Kept(curvature_run(curve, count))
     comb = kept.combs.get(measure)
     if comb is None:
-        if measure.teeth not in kept.runs:
-            kept.runs = {measure.teeth: curvature_run(curve, measure.teeth + 1, finer=FINER)}
-        comb = _comb(kept.runs[measure.teeth], measure)
+        comb = _comb(kept.run, measure)
         kept.combs = {measure: comb}
     return comb
 
@@ -103,19 +106,22 @@ def _comb(run: CurvatureRun, measure: Measure) -> Comb:
     shrunk = np.divide(measure.longest, length, out=np.ones(len(size)), where=is_long)
     tips = run.points - (measure.factor * shrunk)[:, None] * vectors
     is_whole = np.isfinite(run.vectors).all(axis=1) & ~is_long
-    joined = is_whole[:-1] & is_whole[1:] & ~_jumps(run, tips, measure.longest)
+    jumps = _jumps(run, tips, measure.longest)
+    joined = is_whole[:-1] & is_whole[1:] & ~jumps
     lines = np.split(tips, 1 + np.flatnonzero(~joined))
-    teeth = _teeth(run, joined)
-    best = int(teeth[size[teeth].argmax()])
+    places = _places(run, jumps, measure.teeth)
+    feet, ends = _between(run.points, places), _between(tips, places)
+    sizes = _between(size[:, None], places)[:, 0]
+    best = int(sizes.argmax())
     return Comb(
         (
-            Segments(run.points[teeth], tips[teeth], FAINT, 1.0),
+            Segments(feet, ends, FAINT, 1.0),
             *(Polyline(line, COLOR, 1.0) for line in lines if len(line) > 1),
         ),
-        run.points[best : best + 1],
-        tips[best : best + 1],
-        float(size[best]),
-        bool(is_long[best]),
+        feet[best : best + 1],
+        ends[best : best + 1],
+        float(sizes[best]),
+        bool(measure.factor * sizes[best] > measure.longest),
     )
 
 
@@ -128,12 +134,25 @@ def _jumps(run: CurvatureRun, tips: Floats, size: float) -> NDArray[np.bool_]:
     return jumps
 
 
-def _teeth(run: CurvatureRun, joined: NDArray[np.bool_]) -> NDArray[np.intp]:
-    """The samples that have a tooth: one in some of each piece, its ends among them."""
-    counts = np.diff(run.starts)
-    numbers = np.arange(run.starts[-1]) - np.repeat(run.starts[:-1], counts)
-    has_tooth = numbers % FINER == 0
-    # Where pieces join evenly, one of two equal teeth.
-    first = run.starts[1:-1]
-    has_tooth[first[joined[first - 1]]] = False
-    return np.flatnonzero(has_tooth)
+def _places(run: CurvatureRun, jumps: NDArray[np.bool_], count: int) -> Floats:
+    """(k,) where teeth stand, counted in samples: at jumps, and evenly by length between them."""
+    along = np.concatenate([[0.0], np.linalg.norm(np.diff(run.points, axis=0), axis=1).cumsum()])
+    if not 0.0 < along[-1] < np.inf:
+        return np.zeros(1)
+    ends = [0, *(1 + np.flatnonzero(jumps)).tolist(), len(along)]
+    rows = []
+    for start, stop in pairwise(ends):
+        low, high = along[start], along[stop - 1]
+        number = 1 + max(1, round(count * float((high - low) / along[-1])))
+        wanted = np.linspace(low, high, number)
+        rows.append(np.interp(wanted, along[start:stop], np.arange(start, stop, dtype=np.float64)))
+    return np.concatenate(rows)
+
+
+def _between(rows: Floats, places: Floats) -> Floats:
+    """(k, dim) rows (m, dim) at places that may lie between two of them."""
+    before = np.minimum(places.astype(np.intp), len(rows) - 1)
+    after = np.minimum(before + 1, len(rows) - 1)
+    share = (places - before)[:, None]
+    found: Floats = rows[before] + share * (rows[after] - rows[before])
+    return found

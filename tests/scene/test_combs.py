@@ -40,7 +40,7 @@ def lines_of(comb):
 def test_on_a_circle_all_teeth_are_as_long_and_point_away_from_its_center():
     comb = comb_of(an_arc(), MEASURE)
     teeth = teeth_of(comb)
-    assert_allclose(np.linalg.norm(teeth.starts, axis=1), 2.0)
+    assert_allclose(np.linalg.norm(teeth.starts, axis=1), 2.0, rtol=1e-6)
     assert_allclose(teeth.ends, teeth.starts * (1.0 + MEASURE.factor / 4.0), atol=1e-14)
     assert_allclose(comb.largest, 0.5)
     (line,) = lines_of(comb)
@@ -62,6 +62,16 @@ def test_twice_the_scale_is_twice_the_length(scale):
 def test_twice_the_density_is_twice_as_many_teeth():
     few, many = (len(teeth_of(comb_of(an_arc(), Measure.of(1.0, k))).starts) for k in (1.0, 2.0))
     assert many - 1 == 2 * (few - 1)
+
+
+@pytest.mark.parametrize("kind", ["bezier", "bspline", "closed", "rag", "uneven rag"])
+def test_teeth_are_even_by_length_along_the_curve(kind):
+    curve = random_curve(kind)
+    starts = teeth_of(comb_of(curve, SMALL)).starts
+    fine = curve.at(np.linspace(0.0, 1.0, 100001))
+    along = np.r_[0.0, np.linalg.norm(np.diff(fine, axis=0), axis=1).cumsum()]
+    even = np.searchsorted(along, np.linspace(0.0, along[-1], len(starts)))
+    assert_allclose(starts, fine[np.minimum(even, len(fine) - 1)], atol=1e-3 * along[-1])
 
 
 def test_where_the_curvature_jumps_the_line_is_broken_and_there_are_two_teeth():
