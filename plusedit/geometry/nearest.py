@@ -7,29 +7,27 @@ distance is made least by Newton's method, kept inside the chord by bisection: t
 """
 
 from dataclasses import dataclass
-from functools import lru_cache
 from typing import Protocol
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from plusedit.geometry.arrays import Floats, frozen, unit
+from plusedit.geometry.chords import (
+    Chords,
+    Numbers,
+    candidates,
+    chains,
+    firsts,
+    lengths,
+    products,
+)
 from plusedit.geometry.curve import PlusCurve
-from plusedit.geometry.tessellate import Axes, seen_along, tessellation
+from plusedit.geometry.tessellate import Axes, seen_along
 
-STRAY = 1e-4  # of the size of the curve: how far chords may lie from it
-CANDIDATES = 12  # chords looked at closely, for one point
 STEPS = 60  # a bracket shrinks below the spacing of doubles in 52 halvings
-BLOCK = 1 << 18  # distances of points from chords worked out at once
-
-
-@dataclass(frozen=True, eq=False)
-class _Chords:
-    """Parameters (k + 1,), the points there (k + 1, dim), and how far the curve may stray."""
-
-    u: Floats
-    points: Floats
-    stray: float
+CLOSE = 1e-9  # of the chord: Newton's method squares what is left after a step that short
+BLOCK = 1 << 20  # pairs of points and chords at most, at once
 
 
 def nearest_parameter(curve: PlusCurve, point: ArrayLike, *, axes: Axes = None) -> float:
@@ -54,10 +52,10 @@ def nearest_parameters(curve: PlusCurve, points: ArrayLike, *, axes: Axes = None
         raise ValueError(f"points: expected shape (None, {wanted}), got {at.shape}")
     if not np.isfinite(at).all():
         raise ValueError("points: has a value that is not finite")
-    chords = _chords(curve, axes)
-    step = max(1, BLOCK // len(chords.u))
+    chain = chains(curve, axes)
+    step = max(1, BLOCK // len(chain[-1]))
     goals = [_Points(curve, at[i : i + step], axes) for i in range(0, len(at), step)]
-    return np.concatenate([np.zeros(0), *(_nearest(goal, chords) for goal in goals)])
+    return np.concatenate([np.zeros(0), *(_nearest(goal, chain) for goal in goals)])
 
 
 def nearest_to_ray(curve: PlusCurve, origin: ArrayLike, direction: ArrayLike) -> float:
@@ -71,16 +69,7 @@ def nearest_to_ray(curve: PlusCurve, origin: ArrayLike, direction: ArrayLike) ->
     heading = unit(frozen(direction, shape=(3,), name="direction"))
     if not heading.any():
         raise ValueError("direction: a ray needs one that is not zero")
-    return float(_nearest(_Ray(curve, start, heading), _chords(curve, None))[0])
-
-
-@lru_cache(maxsize=64)
-def _chords(curve: PlusCurve, axes: Axes) -> _Chords:
-    rough = curve.at(np.linspace(0.0, 1.0, 33))
-    size = float((rough.max(axis=0) - rough.min(axis=0)).max())
-    stray = STRAY * max(size, np.finfo(np.float64).tiny / STRAY)
-    u = tessellation(curve, stray, axes=axes).parameters
-    return _Chords(u, seen_along(curve.at(u), axes), stray)
+    return float(_nearest(_Ray(curve, start, heading), chains(curve, None))[0])
 
 
 class _Goal(Protocol):
@@ -89,17 +78,33 @@ class _Goal(Protocol):
     @property
     def curve(self) -> PlusCurve: ...
 
-    def from_chords(self, chords: _Chords) -> tuple[Floats, Floats]:
-        """(m, k) distances from chords, and how far along the chord the nearest place is."""
+    def __len__(self) -> int: ...
+
+    def from_chords(self, row: Numbers, chords: Chords, place: Numbers) -> tuple[Floats, Floats]:
+        """(r,) distances of the things `row` from the chords `place`, and how far along these."""
         ...
 
-    def distances(self, row: NDArray[np.intp], u: Floats) -> Floats:
-        """(r,) of the points of the curve at u from the things of those numbers."""
+    def distances(self, row: Numbers, points: Floats) -> Floats:
+        """(r,) of points of the curve, as it is seen, from the things of those numbers."""
         ...
 
-    def slopes(self, row: NDArray[np.intp], u: Floats) -> tuple[Floats, Floats]:
-        """(r,) first and second derivative by u of half the squared distance."""
+    def slopes(self, row: Numbers, u: Floats) -> "_Slopes":
+        """At u, from the things of those numbers."""
         ...
+
+
+@dataclass(frozen=True, eq=False)
+class _Slopes:
+    """(r,) distances, and of half their squares the first and second derivative by u."""
+
+    distance: Floats
+    slope: Floats
+    bend: Floats
+
+    @classmethod
+    def of(cls, away: Floats, velocity: Floats, acceleration: Floats) -> "_Slopes":
+        bend = products(velocity, velocity) + products(away, acceleration)
+        return cls(lengths(away), products(away, velocity), bend)
 
 
 @dataclass(frozen=True, eq=False)
@@ -110,26 +115,20 @@ class _Points:
     at: Floats
     axes: Axes
 
-    def from_chords(self, chords: _Chords) -> tuple[Floats, Floats]:
-        start, way = chords.points[:-1], np.diff(chords.points, axis=0)
-        length, heading = np.linalg.norm(way, axis=1), unit(way)
-        offset = self.at[:, None] - start
-        along = np.clip(np.einsum("mkd,kd->mk", offset, heading), 0.0, length)
-        distance = np.linalg.norm(offset - along[..., None] * heading, axis=2)
-        return distance, np.divide(along, length, out=np.zeros_like(along), where=length > 0.0)
+    def __len__(self) -> int:
+        return len(self.at)
 
-    def distances(self, row: NDArray[np.intp], u: Floats) -> Floats:
-        away: Floats = seen_along(self.curve.at(u), self.axes) - self.at[row]
-        return np.asarray(np.linalg.norm(away, axis=1))
+    def from_chords(self, row: Numbers, chords: Chords, place: Numbers) -> tuple[Floats, Floats]:
+        return chords.from_points(self.at.take(row, axis=0), place)
 
-    def slopes(self, row: NDArray[np.intp], u: Floats) -> tuple[Floats, Floats]:
+    def distances(self, row: Numbers, points: Floats) -> Floats:
+        return lengths(points - self.at.take(row, axis=0))
+
+    def slopes(self, row: Numbers, u: Floats) -> _Slopes:
         point, velocity, acceleration = (
             seen_along(rows, self.axes) for rows in self.curve.derivatives(u)
         )
-        away = point - self.at[row]
-        slope: Floats = (away * velocity).sum(axis=1)
-        bend: Floats = (velocity * velocity).sum(axis=1) + (away * acceleration).sum(axis=1)
-        return slope, bend
+        return _Slopes.of(point - self.at.take(row, axis=0), velocity, acceleration)
 
 
 @dataclass(frozen=True, eq=False)
@@ -140,24 +139,23 @@ class _Ray:
     origin: Floats
     heading: Floats
 
-    def from_chords(self, chords: _Chords) -> tuple[Floats, Floats]:
-        points = _in_space(chords.points)
-        start, way = points[:-1] - self.origin, np.diff(points, axis=0)
-        distances, places = segments_from_ray(start, way, self.heading)
-        return distances[None], places[None]
+    def __len__(self) -> int:
+        return 1
 
-    def distances(self, row: NDArray[np.intp], u: Floats) -> Floats:
-        return from_ray(_in_space(self.curve.at(u)) - self.origin, self.heading)
+    def from_chords(self, row: Numbers, chords: Chords, place: Numbers) -> tuple[Floats, Floats]:
+        start, way = _in_space(chords.points[place]), _in_space(chords.ways[place])
+        return segments_from_ray(start - self.origin, way, self.heading)
 
-    def slopes(self, row: NDArray[np.intp], u: Floats) -> tuple[Floats, Floats]:
+    def distances(self, row: Numbers, points: Floats) -> Floats:
+        return from_ray(_in_space(points) - self.origin, self.heading)
+
+    def slopes(self, row: Numbers, u: Floats) -> _Slopes:
         point, velocity, acceleration = (_in_space(rows) for rows in self.curve.derivatives(u))
         away = point - self.origin
         ahead = np.maximum(away @ self.heading, 0.0)
-        away -= ahead[:, None] * self.heading
         across = np.where(ahead > 0.0, velocity @ self.heading, 0.0)
-        slope: Floats = (away * velocity).sum(axis=1)
-        bend: Floats = (velocity * velocity).sum(axis=1) + (away * acceleration).sum(axis=1)
-        return slope, bend - across**2
+        found = _Slopes.of(away - ahead[:, None] * self.heading, velocity, acceleration)
+        return _Slopes(found.distance, found.slope, found.bend - across**2)
 
 
 def from_ray(away: Floats, heading: Floats) -> Floats:
@@ -191,50 +189,49 @@ def segments_from_ray(start: Floats, way: Floats, heading: Floats) -> tuple[Floa
     return found[best, column], places[best, column]
 
 
-def _nearest(goal: _Goal, chords: _Chords) -> Floats:
+def _nearest(goal: _Goal, chain: tuple[Chords, ...]) -> Floats:
     """(m,) the parameters at which the curve is nearest to each thing, by the chords."""
-    distance, along = goal.from_chords(chords)
-    count = min(CANDIDATES, distance.shape[1])
-    best = np.argpartition(distance, count - 1, axis=1)[:, :count]
-    near = np.take_along_axis(distance, best, axis=1)
-    row, place = np.nonzero(near <= near.min(axis=1, keepdims=True) + 2.0 * chords.stray)
-    chord = best[row, place]
-    low, high = chords.u[chord], chords.u[chord + 1]
-    inside = _descended(goal, row, (low, high), low + along[row, chord] * (high - low))
-    u = np.concatenate([low, inside, high])
-    row = np.tile(row, 3)
-    order = np.lexsort((goal.distances(row, u), row))
-    first = np.searchsorted(row[order], np.arange(len(distance)))
-    found: Floats = u[order[first]]
+    near, chords = candidates(chain, len(goal), goal.from_chords), chain[-1]
+    row, low, high = near.row, chords.u[near.place], chords.u[near.place + 1]
+    inside, distance = _descended(goal, row, (low, high), low + near.shares * (high - low))
+    ends = (goal.distances(row, chords.points.take(near.place + k, axis=0)) for k in (0, 1))
+    distances = np.stack([distance, *ends])
+    best = distances.argmin(axis=0), np.arange(len(row))
+    # As the numbers of the things rise, sorting by distance leaves them in their places.
+    nearest = np.lexsort((distances[best], row))[firsts(row)]
+    found: Floats = np.stack([inside, low, high])[best][nearest]
     return np.where(found == 1.0, 0.0, found) if goal.curve.closed else found
 
 
 def _descended(
-    goal: _Goal, row: NDArray[np.intp], between: tuple[Floats, Floats], start: Floats
-) -> Floats:
-    """(r,) parameters between two, near `start`, where the distance stops falling."""
-    low, high = between[0].copy(), np.nextafter(between[1], between[0])
-    u, moving = start, np.arange(len(start))
-    result = u.copy()
+    goal: _Goal, row: Numbers, between: tuple[Floats, Floats], start: Floats
+) -> tuple[Floats, Floats]:
+    """(r,) parameters between two, near `start`, where the distance stops falling, and (r,) it."""
+    # A knot belongs to the span on its right: in it the derivatives are others.
+    low, high = between[0], np.nextafter(between[1], between[0])
+    u, distance, moving = np.clip(start, low, high), np.empty(len(row)), np.arange(len(row))
+    result, last = u.copy(), high
+    # The least distance lies between what was looked at; where nothing was yet, the chord ends.
+    below, above = np.full(len(row), -np.inf), np.full(len(row), np.inf)
     for _ in range(STEPS):
-        slope, bend = goal.slopes(row[moving], u)
-        high = np.where(slope > 0.0, u, high)
-        low = np.where(slope > 0.0, low, u)
-        step = np.divide(slope, bend, out=np.full_like(slope, np.inf), where=bend > 0.0)
-        # Newton's step where it stays inside the bracket, else half of it.
-        ahead = np.where((u - step > low) & (u - step < high), u - step, (low + high) / 2.0)
+        found = goal.slopes(row[moving], u)
+        distance[moving] = found.distance
+        rising = found.slope >= 0.0
+        below, above = np.where(rising, below, u), np.where(rising, u, above)
+        # Newton's step, or else downhill, up to the ends; what is not a number leads to one.
+        downhill = np.where(rising, np.inf, -np.inf)
+        step = np.divide(found.slope, found.bend, out=downhill, where=found.bend > 0.0)
+        ahead = np.fmin(np.fmax(u - step, low), high)
+        astray = np.flatnonzero(((ahead <= below) | (ahead >= above)) & (ahead != u))
+        ahead[astray] = (below[astray] + above[astray]) / 2.0
         result[moving] = ahead
-        going = _going(ahead, u, low, high)
-        if not going.any():
+        close = np.maximum(CLOSE * (high - low), 2.0 * np.spacing(high))
+        going = np.flatnonzero(np.abs(ahead - u) > close)
+        if not len(going):
             break
-        moving, u, low, high = moving[going], ahead[going], low[going], high[going]
-    return result
-
-
-def _going(ahead: Floats, u: Floats, low: Floats, high: Floats) -> NDArray[np.bool_]:
-    close = 2.0 * np.spacing(np.maximum(np.abs(u), 1e-3))
-    going: NDArray[np.bool_] = (np.abs(ahead - u) > close) & (high - low > close)
-    return going
+        moving = moving[going]
+        u, low, high, below, above = (each.take(going) for each in (ahead, low, high, below, above))
+    return np.where(result >= last, between[1], result), distance
 
 
 def _quotient(above: Floats, below: Floats) -> Floats:

@@ -2,13 +2,17 @@
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 
 from plusedit.geometry.bases.bernstein import Bernstein
 from plusedit.geometry.bases.bspline import BSpline
 from plusedit.geometry.curve import PlusCurve
+from plusedit.geometry.frames import curvature
 from plusedit.geometry.lines import ControlLines
 from plusedit.geometry.nearest import nearest_parameter, nearest_parameters, nearest_to_ray
+from plusedit.geometry.standard import elliptic_arc
 from tests.geometry.curves import KINDS, random_curve
 
 
@@ -21,6 +25,66 @@ def by_looking(curve, points, count=20001):
     """The least distances among very many points of the curve."""
     there = curve.at(np.linspace(0.0, 1.0, count))
     return np.array([np.linalg.norm(there - point, axis=1).min() for point in points])
+
+
+@st.composite
+def curves(draw):
+    """Plane curves and space curves of every kind, with even weights and very uneven ones."""
+    return random_curve(
+        draw(st.sampled_from(KINDS)),
+        size=draw(st.integers(6, 12)),
+        seed=draw(st.integers(0, 10**6)),
+        dimension=draw(st.integers(2, 3)),
+        contrast=draw(st.sampled_from([None, 10.0, 1000.0])),
+    )
+
+
+def points_for(curve, seed, count=8):
+    """Points in and about the curve, some of them far away."""
+    random = np.random.default_rng(seed)
+    spread = 10.0 ** random.uniform(-1.0, 2.0, (count, 1))
+    return spread * random.normal(size=(count, curve.dimension))
+
+
+@settings(max_examples=100)
+@given(curves(), st.integers(0, 10**6))
+def test_no_other_point_of_a_curve_is_nearer(curve, seed):
+    points = points_for(curve, seed)
+    found = missed(curve, nearest_parameters(curve, points), points)
+    assert (found <= by_looking(curve, points, 4001) * (1.0 + 1e-9)).all()
+
+
+@settings(max_examples=100)
+@given(curves(), st.floats(0.0, 1.0), st.floats(-0.5, 0.5))
+def test_from_beside_a_curve_it_is_never_farther_than_the_way_back(curve, u, share):
+    if curve.dimension == 3:
+        return
+    at, velocity, acceleration = curve.derivatives([u])
+    speed = np.linalg.norm(velocity)
+    if speed < 1e-6:
+        return
+    # Up to half the radius of curvature away, no other point about there is as near.
+    distance = share / max(abs(curvature(velocity, acceleration)[0]), 1.0)
+    point = at + distance * velocity[:, ::-1] * [-1.0, 1.0] / speed
+    found = missed(curve, nearest_parameters(curve, point), point)[0]
+    assert found <= abs(distance) * (1.0 + 1e-9) + 1e-13
+
+
+@given(curves(), st.integers(0, 10**6))
+def test_many_points_are_as_near_as_each_alone(curve, seed):
+    points = points_for(curve, seed, 20)
+    together = missed(curve, nearest_parameters(curve, points), points)
+    alone = np.array([nearest_parameter(curve, point) for point in points])
+    assert_allclose(together, missed(curve, alone, points), rtol=1e-12)
+
+
+@given(curves(), st.integers(0, 10**6))
+def test_no_other_point_of_a_curve_is_nearer_to_a_ray(curve, seed):
+    origin, direction = points_for(random_curve("bezier", dimension=3), seed, 2)
+    everywhere = in_space(curve.at(np.linspace(0.0, 1.0, 4001)))
+    found = in_space(curve.at(nearest_to_ray(curve, origin, direction)))
+    least = from_ray(everywhere, origin, direction).min()
+    assert from_ray(found, origin, direction)[0] <= least * (1.0 + 1e-9) + 1e-13
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -101,6 +165,28 @@ def test_a_plane_curve_seen_from_the_front_lies_on_the_axis():
     )
 
 
+def test_at_the_center_of_a_circle_every_point_is_as_near_as_the_others():
+    circle = elliptic_arc([1.0, 2.0], [3.0, 0.0], [0.0, 3.0])
+    center = np.tile([1.0, 2.0], (50, 1))
+    assert_allclose(missed(circle, nearest_parameters(circle, center), center), 3.0, rtol=1e-14)
+
+
+def test_beyond_the_ends_a_few_steps_do(monkeypatch):
+    curve = random_curve("bspline", seed=1)
+    points = np.random.default_rng(1).normal(0.0, 10.0, (300, 2))
+    steps = []
+    derivatives = PlusCurve.derivatives
+
+    def counted(self, u, *, highest=2):
+        steps.extend([u] if highest == 2 else [])
+        return derivatives(self, u, highest=highest)
+
+    monkeypatch.setattr(PlusCurve, "derivatives", counted)
+    u = nearest_parameters(curve, points)
+    assert np.isin(u, [0.0, 1.0]).any()
+    assert len(steps) < 10
+
+
 def test_points_all_in_one_place_are_near_at_any_parameter():
     curve = PlusCurve(Bernstein(3), ControlLines.of([(1.0, 1.0)] * 3))
     assert 0.0 <= nearest_parameter(curve, (4.0, 5.0)) <= 1.0
@@ -116,6 +202,14 @@ def test_the_size_does_not_matter(scale):
     )
     point = np.array([0.4, 0.3])
     assert_allclose(nearest_parameter(large, scale * point), nearest_parameter(curve, point))
+
+
+def test_what_is_too_large_to_be_squared_has_a_parameter_all_the_same():
+    curve = random_curve("bspline", seed=3)
+    lines = ControlLines.of(1e90 * curve.lines.points, list(1e90 * curve.directions))
+    with np.errstate(all="ignore"):
+        u = nearest_parameters(PlusCurve(curve.basis, lines, s=1e90), np.eye(2))
+    assert ((u >= 0.0) & (u <= 1.0)).all()
 
 
 def test_no_points_have_no_parameters():
