@@ -20,16 +20,17 @@ from plusedit.geometry.curvature_profile import CurvatureRun, curvature_run
 from plusedit.geometry.curve import PlusCurve
 from plusedit.scene.camera import Camera
 from plusedit.scene.extents import USUAL, Extent
-from plusedit.scene.items import Item, Label, Polyline, Segments
+from plusedit.scene.items import Item, Polyline, Segments
+from plusedit.scene.outward import outward_label
 
-TEETH = 100  # of a curve, about
+TEETH = 160  # of a curve, about
 SAMPLES, EACH = 800, 8  # places of the line along the tips: of a curve, and of each control line
 SHARE = 0.08  # of the size of shapes: a tooth where a curve bends as its polygon does in the mean
 LONGEST = 0.5  # sizes: longer teeth are cut
 EVEN = 1e-6  # of the size: tips that near are one
-TOLD = 24.0  # pixels, from which on the longest tooth says how much it stands for
+TOLD = 24.0  # pixels, from which on the line says how much it stands for where it is farthest out
 COLOR, FAINT = "v", "v@50"
-WORDS = 10.0  # pixels, the height of letters
+APART = 8.0  # pixels from the line to these words
 
 
 @dataclass(frozen=True)
@@ -55,13 +56,13 @@ class Comb:
 
     items: tuple[Item, ...]
     foot: Floats
-    """(1, dim) where the longest tooth stands"""
+    """(1, dim) where the curvature is largest"""
     tip: Floats
     """(1, dim)"""
     largest: float
     """the curvature there, by its size"""
     is_cut: bool
-    """whether the tooth would be longer"""
+    """whether a tooth would be longer than any is drawn"""
 
 
 @dataclass(eq=False)
@@ -87,15 +88,14 @@ def comb_of(curve: PlusCurve, measure: Measure) -> Comb:
 
 
 def comb_items(curve: PlusCurve, measure: Measure, camera: Camera) -> Iterator[Item]:
-    """The comb, and at its longest tooth the curvature that this stands for."""
+    """The comb, and where its line is farthest out the curvature that this stands for."""
     comb = comb_of(curve, measure)
     yield from comb.items
     foot, tip = (camera.to_screen(end)[0] for end in (comb.foot, comb.tip))
     length = float(np.hypot(*(tip - foot)))
     if TOLD <= length < np.inf and not comb.is_cut:
-        right, down = (tip - foot) / length * WORDS
-        text = f"κ {comb.largest:.3g}"
-        yield Label(comb.tip[0], text, COLOR, (right, down + 0.36 * WORDS), "center", WORDS)
+        way = (comb.tip - comb.foot)[0]
+        yield outward_label(comb.tip[0], way, f"κ {comb.largest:.3g}", COLOR, camera, apart=APART)
 
 
 def _comb(run: CurvatureRun, measure: Measure) -> Comb:
@@ -111,17 +111,16 @@ def _comb(run: CurvatureRun, measure: Measure) -> Comb:
     lines = np.split(tips, 1 + np.flatnonzero(~joined))
     places = _places(run, jumps, measure.teeth)
     feet, ends = _between(run.points, places), _between(tips, places)
-    sizes = _between(size[:, None], places)[:, 0]
-    best = int(sizes.argmax())
+    best = int(size.argmax())
     return Comb(
         (
             Segments(feet, ends, FAINT, 1.0),
             *(Polyline(line, COLOR, 1.0) for line in lines if len(line) > 1),
         ),
-        feet[best : best + 1],
-        ends[best : best + 1],
-        float(sizes[best]),
-        bool(measure.factor * sizes[best] > measure.longest),
+        run.points[best : best + 1],
+        tips[best : best + 1],
+        float(size[best]),
+        bool(is_long[best]),
     )
 
 

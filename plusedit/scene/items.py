@@ -15,6 +15,7 @@ from plusedit.geometry.blend import Grid
 from plusedit.geometry.surface import PlusSurface
 
 Dash: TypeAlias = Literal["solid", "dash", "dot"]
+Anchor: TypeAlias = Literal["left", "center", "right"]
 Mark: TypeAlias = Literal["circle", "square", "diamond", "ring", "cross"]
 
 
@@ -72,7 +73,7 @@ class Label:
     color: str
     offset: tuple[float, float] = (0.0, 0.0)
     """of the anchor, on the base line, from the point; pixels to the right and downwards"""
-    anchor: Literal["left", "center", "right"] = "left"
+    anchor: Anchor = "left"
     size: float = 12.0
 
 

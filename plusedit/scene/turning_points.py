@@ -5,8 +5,8 @@ from weakref import WeakKeyDictionary
 
 import numpy as np
 
-from plusedit.geometry.arrays import Floats
-from plusedit.geometry.curvature_profile import curvature_extrema
+from plusedit.geometry.arrays import Floats, unit
+from plusedit.geometry.curvature_profile import curvature_extrema, curvature_vectors
 from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.frames import curvature_at
 from plusedit.geometry.inflections import inflections
@@ -22,6 +22,8 @@ class TurningPoints:
     """(m, dim) points at which the curvature is extremal among its neighbors"""
     curvatures: Floats
     """(m,) there, signed on plane curves"""
+    outward: Floats
+    """(m, dim) of length one, away from the centers of curvature; zero where there is none"""
 
 
 _KEPT: "WeakKeyDictionary[PlusCurve, TurningPoints]" = WeakKeyDictionary()
@@ -33,7 +35,9 @@ def turning_points(curve: PlusCurve) -> TurningPoints:
     if found is None:
         turns = inflections(curve) if curve.dimension == 2 else np.zeros(0)
         extrema = curvature_extrema(curve)
+        points, velocity, acceleration = curve.derivatives(extrema)
+        vectors = np.nan_to_num(curvature_vectors(velocity, acceleration))
         found = _KEPT[curve] = TurningPoints(
-            curve.at(turns), curve.at(extrema), curvature_at(curve, extrema)
+            curve.at(turns), points, curvature_at(curve, extrema), -unit(vectors)
         )
     return found

@@ -6,6 +6,7 @@ from numpy.testing import assert_allclose
 
 from plusedit.document.design import Design
 from plusedit.document.shape import Shape
+from plusedit.geometry.arrays import unit
 from plusedit.geometry.bases.bernstein import Bernstein
 from plusedit.geometry.bases.bspline import BSpline
 from plusedit.geometry.continuity import joints
@@ -14,6 +15,7 @@ from plusedit.geometry.curve_numbers import curve_numbers, known_numbers
 from plusedit.geometry.lines import ControlLines
 from plusedit.scene.camera import PlaneCamera
 from plusedit.scene.items import Caption, Label, Markers, Polyline, Segments
+from plusedit.scene.outward import SLOPE
 from plusedit.scene.overlays import Seen, overlays
 from plusedit.scene.space_camera import SpaceCamera
 from plusedit.scene.turning_points import turning_points
@@ -93,7 +95,7 @@ def test_a_curve_that_turns_right_has_negative_curvature():
         Bernstein(3), ControlLines.of(lines.points[::-1], weights=lines.weights[::-1]), 0.0
     )
     (label,) = only(Label, at_place(other, 0.5))
-    assert label.text.endswith("κ -0.5")
+    assert label.text.endswith("κ \N{MINUS SIGN}0.5")
 
 
 def test_where_the_curve_is_straight_it_is_the_tangent():
@@ -118,15 +120,27 @@ def test_an_s_has_an_inflection_in_its_middle_and_extrema_on_both_sides():
     assert_allclose(marks["diamond"], [[1.5, 0.0]], atol=1e-12)
     assert len(marks["square"]) == 2
     labels = [label.text for label in only(Label, of_curve("extrema", wave()))]
-    assert sorted(text[:3] for text in labels) == ["κ -", "κ 1"] or len(labels) == 2
+    assert sorted(text[:3] for text in labels) == ["κ 1", "κ \N{MINUS SIGN}"] or len(labels) == 2
+
+
+def test_values_stand_on_the_outer_side_of_the_curve():
+    curve = zigzag()
+    found = turning_points(curve)
+    labels = only(Label, of_curve("extrema", curve))
+    ways = CAMERA.to_screen(found.extrema + found.outward) - CAMERA.to_screen(found.extrema)
+    offsets = np.array([label.offset for label in labels])
+    assert len(labels) > 1
+    assert ((ways * offsets).sum(axis=1) > 0.0).all()
+    for label, (right, _) in zip(labels, unit(ways), strict=True):
+        wanted = "center" if abs(right) < SLOPE else "left" if right > 0.0 else "right"
+        assert label.anchor == wanted
 
 
 def test_values_beside_extrema_are_the_curvature_there():
     found = turning_points(zigzag())
     labels = only(Label, of_curve("extrema", zigzag()))
-    assert [float(label.text[2:]) for label in labels] == pytest.approx(
-        found.curvatures.tolist(), rel=1e-2
-    )
+    texts = [label.text[2:].replace("\N{MINUS SIGN}", "-") for label in labels]
+    assert [float(text) for text in texts] == pytest.approx(found.curvatures.tolist(), rel=1e-2)
 
 
 def test_unchanged_curves_are_searched_once():

@@ -70,7 +70,7 @@ def _tangent(point: Floats, tangent: Floats, pixel: float) -> Iterator[Item]:
 
 
 def _words(point: Floats, text: str) -> Label:
-    return Label(point, text, "text", ASIDE, "left", WORDS)
+    return Label(point, text.replace("-", "\N{MINUS SIGN}"), "text", ASIDE, "left", WORDS)
 
 
 def _chords(radius: float) -> int:

@@ -10,15 +10,15 @@ from collections.abc import Iterator
 from plusedit.document.design import Design
 from plusedit.document.shape import Shape, ShapeId
 from plusedit.geometry.curve import PlusCurve
-from plusedit.scene.items import Caption, Item, Label, Markers, Row
+from plusedit.scene.items import Caption, Item, Markers, Row
+from plusedit.scene.outward import outward_label
 from plusedit.scene.overlays import Seen, overlay
 from plusedit.scene.turning_points import turning_points
 
 MANY = 200  # curves, of which only the selected are searched: each takes some milliseconds
 FEW = 16  # extrema of a curve up to which values stand beside them
 DIAMOND, SQUARE = 12.0, 9.0  # pixels
-WORDS = 10.0  # pixels, the height of letters
-ASIDE = (8.0, -6.0)  # pixels from a mark to its value
+APART = 12.0  # pixels from a mark to its value, on the outer side of the curve
 
 extrema = overlay(
     "extrema",
@@ -40,8 +40,10 @@ def of_curve(shape: Shape, curve: PlusCurve, seen: Seen) -> Iterator[Item]:
     if len(found.inflections):
         yield Markers(found.inflections, "diamond", DIAMOND, "hover", "canvas", 1.25)
     if len(found.extrema) <= FEW:
-        for point, value in zip(found.extrema, found.curvatures.tolist(), strict=True):
-            yield Label(point, f"κ {value + 0.0:.3g}", "v", ASIDE, "left", WORDS)
+        values = found.curvatures.tolist()
+        for point, way, value in zip(found.extrema, found.outward, values, strict=True):
+            text = f"κ {value + 0.0:.3g}"
+            yield outward_label(point, way, text, "v", seen.camera, apart=APART)
 
 
 @extrema.of_designs
