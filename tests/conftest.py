@@ -7,6 +7,7 @@ import pytest
 from hypothesis import HealthCheck, settings
 
 from plusedit.document.session import Session
+from plusedit.tools.pull import PullShape
 from tests.designs import DOCUMENT, a_design
 
 # A slow or busy machine is no failure, and the same examples every time make failures repeatable.
@@ -29,6 +30,12 @@ os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 def pytest_unconfigure():
     HOME.cleanup()
+
+
+@pytest.fixture(autouse=True)
+def usual_pull(monkeypatch):
+    """What the pull tool changes is remembered, but not from test to test."""
+    monkeypatch.setattr(PullShape, "change", "points")
 
 
 @pytest.fixture

@@ -64,8 +64,8 @@ class PullShape:
     shortcut: ClassVar[str] = "D"
     order: ClassVar[int] = 25
 
-    def __init__(self) -> None:
-        self.change: Change = "points"
+    change: ClassVar[Change] = "points"
+    """what a person has chosen: for the tools of all views, and for the next time, too"""
 
     def drag(self, start: Pointer, stage: Stage) -> Drag:
         """Pull the nearest curve, or the surface under the pointer, from where it was pressed."""
@@ -113,7 +113,7 @@ class PullShape:
 
     def key(self, key: str, stage: Stage) -> Outcome:
         """Let something else change from now on."""
-        self.change = CHANGES[(CHANGES.index(self.change) + 1) % len(CHANGES)]
+        PullShape.change = CHANGES[(CHANGES.index(self.change) + 1) % len(CHANGES)]
         return None
 
     def reset(self) -> None:

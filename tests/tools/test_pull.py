@@ -58,6 +58,17 @@ def test_w_chooses_what_changes(presses, moves_points, turns):
     assert_allclose(after.at([0.4])[0], np.add(place, (0.0, 0.4)), atol=NEAR)
 
 
+def test_what_changes_is_remembered_by_the_tool_of_every_view():
+    first, second = Hand(tool="pull"), Hand(tool="pull")
+    first.gestures.key("W")
+    first.gestures.choose("select")
+    for hand in (first, second):
+        hand.gestures.choose("pull")
+        place = hand.curve().at([0.4])[0]
+        hand.drag(place, np.add(place, (0.0, 0.4)), moves=4)
+        assert not hand.curve().lines.automatic.all()
+
+
 def test_what_changes_is_read_beside_the_pointer():
     hand = Hand(tool="pull")
     read = []
