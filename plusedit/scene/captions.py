@@ -13,7 +13,8 @@ from plusedit.scene.legends import MARGIN, NUMBERS, WORDS, Word, placed, width_o
 
 PADDING = 7.0  # around what is in the box
 LINE = 15.0  # from one line of words to the next
-SHARE = 0.6  # of the height of a picture: higher, nothing is written but the lowest caption
+SHARE = 0.6  # of the height of a picture: higher, nothing wide is written but the lowest caption
+NARROW = 0.3  # of the width of a picture: what is no wider may stand higher
 NARROWER = 0.9  # of what letters are taken to be wide: what is short may be estimated closely
 BETWEEN = 6.0  # from one caption to the next
 COLUMNS = 14.0  # from the words of a row to its number, at least
@@ -80,7 +81,8 @@ def placed_caption(caption: Caption, size: tuple[float, float]) -> PlacedCaption
     left = MARGIN + caption.at[0]
     top = size[1] - MARGIN - caption.at[1] - height
     is_high = caption.at[1] > 0.0 and size[1] - top > SHARE * size[1]
-    if is_high or top < MARGIN or left + width > size[0] - MARGIN:
+    is_wide = width > NARROW * size[0]
+    if (is_high and is_wide) or top < MARGIN or left + width > size[0] - MARGIN:
         return None
     first = top + PADDING + WORDS - 1.0
     words = [Word(left + PADDING, first, caption.title, "text", WORDS)] if caption.title else []

@@ -58,6 +58,12 @@ def test_captions_stand_one_upon_the_other_by_their_titles():
     assert boxes[0][3] < boxes[1][3] == boxes[2][3]
 
 
+@pytest.mark.parametrize(("width", "is_there"), [(900.0, True), (400.0, False)])
+def test_many_captions_are_all_there_where_they_leave_most_of_the_width_free(width, is_there):
+    highest = stacked([a_caption()] * 4)[-1]
+    assert (placed_caption(highest, (width, 330.0)) is not None) == is_there
+
+
 def test_what_is_beside_rulers_stays_beside_them():
     (caption,) = stacked([a_caption()], 22.0)
     assert placed_caption(caption, SIZE).box[0] == MARGIN + 22.0
