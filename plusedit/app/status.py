@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QStatusBar, QWid
 
 from plusedit.document.shape import Geometry, ShapeId
 from plusedit.interaction.facets import surfaces_under
+from plusedit.interaction.picking import curves_under
 from plusedit.interaction.tool import Feedback
 from plusedit.views.desk import Desk
 from plusedit.views.look import tabular
@@ -18,6 +19,7 @@ PAUSE = 30  # milliseconds between searches for the nearest point
 SAID = 6_000  # milliseconds that a sentence stays
 USUAL = "F1: keys and mouse   ·   Ctrl+Shift+P: find any command"
 NAMES = "xyz"
+NEAR = 40.0  # pixels to a curve that is told of before others that are chosen, too
 
 Coordinates = tuple[tuple[int, float], ...]
 """What is known of a place: axis and value of each coordinate."""
@@ -154,15 +156,20 @@ class Status(QStatusBar):
     def _probed(self) -> Iterator[Geometry]:
         """The shapes that numbers are told of: of the first that has a point at the pointer.
 
-        That with the active line, else the first chosen, else what lies under the pointer.
+        Of several that are chosen that under the pointer; else that with the active line, the first
+        chosen, or what lies under the pointer.
         """
         design, selection = self._desk.session.design, self._desk.session.selection
         active = selection.active
         chosen = [i for i in design if i in selection.shapes]
+        stage, at = self._desk.gestures.stage(), self._panes.active.pointer.at
+        if len(chosen) > 1:
+            for hit in curves_under(at, stage, NEAR):
+                if hit.shape in chosen:
+                    yield design[hit.shape].geometry
         key: ShapeId | None = active.shape if active is not None else next(iter(chosen), None)
         if key is not None and key in design:
             yield design[key].geometry
-        stage = self._desk.gestures.stage()
-        for hit in surfaces_under(self._panes.active.pointer.at, stage)[:1]:
+        for hit in surfaces_under(at, stage)[:1]:
             if hit.shape in design:
                 yield design[hit.shape].geometry

@@ -9,10 +9,12 @@ from PySide6.QtWidgets import QApplication, QLineEdit
 
 from plusedit.commands.lines import SetCoordinate
 from plusedit.commands.shapes import Rename
+from plusedit.document.selection import Selection
 from plusedit.interaction.tool import Pointer
 from plusedit.scene.theme import DARK, LIGHT
 from plusedit.views.panels import panels
-from tests.designs import WING, a_design
+from plusedit.views.probe import reading
+from tests.designs import BOW, WING, a_design
 from tests.gui.conftest import select_lines
 from tests.gui.finding import named
 
@@ -222,6 +224,19 @@ def test_the_status_bar_tells_place_parameter_and_curvature(qtbot, filled):
     filled.status.point_nowhere()
     filled.status._measure()
     assert filled.status.place.text() == filled.status.bend.text() == ""
+
+
+@pytest.mark.parametrize("shape_id", [WING, BOW])
+def test_of_several_chosen_curves_the_status_bar_tells_of_that_under_the_pointer(filled, shape_id):
+    filled.session.select(Selection.of_shapes([WING, BOW]))
+    camera, design = filled.canvas.camera, filled.session.design
+    point = design.curve(shape_id).at([0.3])
+    filled.canvas._pointer = Pointer(*camera.to_screen(point)[0])
+    filled.status.point_at(((0, 1.0), (1, 1.5)))
+    filled.status._measure()
+    assert filled.status.bend.text() == reading(
+        design.curve(shape_id), camera, filled.canvas.pointer.at
+    )
 
 
 def test_an_error_nobody_caught_is_a_sentence_and_a_log_entry(filled, monkeypatch):
