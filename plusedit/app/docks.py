@@ -17,7 +17,6 @@ AREAS = {
 WIDTHS = {"left": 272, "right": 264, "beside": 440}  # logical pixels at the first start
 HEIGHTS = {"outliner": 300, "lines_table": 300}
 HEIGHT_BELOW = 232
-LEAST_BELOW = 360  # wide; where panels side by side would be narrower, the next one is a tab
 STATE = 2  # version of the kept places of docks
 
 
@@ -93,13 +92,14 @@ class Docks:
             return
         seen = self._seen_below()
         room = sum(other.width() for other in seen) // (len(seen) + 1)
-        if seen and room < LEAST_BELOW:
+        is_tab = any(room < _least(each) for each in (*seen, dock)) and bool(seen)
+        if is_tab:
             self._window.tabifyDockWidget(seen[-1], dock)
         dock.show()
         dock.raise_()
         if not seen:
             self._window.resizeDocks([dock], [HEIGHT_BELOW], Qt.Orientation.Vertical)
-        elif room >= LEAST_BELOW:
+        elif not is_tab:
             row = [*seen, dock]
             self._window.resizeDocks(row, [room] * len(row), Qt.Orientation.Horizontal)
         # How wide they can be is known once the window is laid out.
@@ -114,7 +114,8 @@ class Docks:
     def _make_room_below(self, taken: int = 0) -> None:
         """Where panels below are too narrow side by side, or will be, make tabs of them."""
         seen = self._seen_below()
-        if len(seen) > 1 and min(dock.width() for dock in seen) - taken / len(seen) < LEAST_BELOW:
+        is_crowded = any(dock.width() - taken / len(seen) < _least(dock) for dock in seen)
+        if len(seen) > 1 and is_crowded:
             below = [self.by_name[name] for name in self._of("below")]
             for dock in below:
                 if dock is not seen[0] and not dock.isHidden():
@@ -180,6 +181,10 @@ class Docks:
         self._window.resizeDocks(
             [self.by_name[n] for n in tall], [HEIGHTS[n] for n in tall], Qt.Orientation.Vertical
         )
+
+
+def _least(dock: QDockWidget) -> int:
+    return panels[dock.objectName()].least_width
 
 
 def head_of(title: str) -> QLabel:

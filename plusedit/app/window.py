@@ -130,7 +130,7 @@ class MainWindow(QMainWindow):
                 f"panel.{name}",
                 dock.windowTitle(),
                 panels[name].menu,
-                lambda name=name: self.docks.toggle(name),  # type: ignore[misc]
+                lambda name=name: self._toggle_panel(name),  # type: ignore[misc]
                 (panels[name].shortcut,) if panels[name].shortcut else (),
                 checked=lambda dock=dock: not dock.isHidden(),  # type: ignore[misc]
             )
@@ -193,6 +193,14 @@ class MainWindow(QMainWindow):
         self.show_view()
         self.gestures.choose(name)
         self.panes.focus()
+
+    def _toggle_panel(self, name: str) -> None:
+        """Show or hide a panel; the view has the keys that a hidden one had."""
+        dock, focused = self.docks.by_name[name], self.focusWidget()
+        had_keys = focused is not None and dock.isAncestorOf(focused)
+        self.docks.toggle(name)
+        if had_keys and dock.isHidden():
+            self.panes.focus()
 
     def show_view(self) -> None:
         """Show the view, with the panels around it."""

@@ -3,7 +3,6 @@
 import pytest
 from PySide6.QtWidgets import QApplication, QLabel, QTabBar
 
-from plusedit.app.docks import LEAST_BELOW
 from plusedit.views.panels import panels
 
 pytestmark = pytest.mark.gui
@@ -28,7 +27,8 @@ def in_sight(window):
 
 
 def test_no_panel_below_the_views_is_too_narrow_to_read(crowded):
-    assert min(dock.width() for dock in in_sight(crowded)) >= LEAST_BELOW
+    for dock in in_sight(crowded):
+        assert dock.width() >= panels[dock.objectName()].least_width
 
 
 def test_all_of_the_window_stays_in_sight(crowded):
@@ -80,3 +80,11 @@ def test_a_panel_beside_the_views_takes_its_room_from_them_alone(crowded):
     crowded.docks.toggle("parameters")
     QApplication.processEvents()
     assert [side.width() for side in sides] == before
+
+
+def test_the_view_takes_the_keys_of_a_panel_that_is_hidden(opened):
+    trigger = opened.actions_table["panel.fit_comparison"].trigger
+    trigger()
+    opened.docks.widget("fit_comparison").start.setFocus()
+    trigger()
+    assert opened.focusWidget() is opened.canvas

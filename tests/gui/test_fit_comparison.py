@@ -1,4 +1,6 @@
 import pytest
+from PySide6.QtGui import QTextDocument
+from PySide6.QtWidgets import QApplication
 
 from plusedit.document.selection import Selection
 from plusedit.views.panels import fit_comparison
@@ -34,6 +36,17 @@ def test_the_selected_shape_is_come_near_to_by_every_family(qtbot, opened, panel
     assert len(fits) == 8
     assert all(len(plot.plot.lines) == 4 for plot in panel.plots.values())
     assert "B-spline+" in panel.numbers.text()
+
+
+def test_no_number_of_the_legend_is_cut(qtbot, opened, panel):
+    select(opened, "curve")
+    panel.compare()
+    made(qtbot, panel)
+    QApplication.processEvents()
+    text = QTextDocument()
+    text.setDefaultFont(panel.numbers.font())
+    text.setHtml(panel.numbers.text().replace("width=100%", ""))
+    assert text.idealWidth() <= panel.numbers.contentsRect().width()
 
 
 def test_known_points_need_no_selection(qtbot, panel):

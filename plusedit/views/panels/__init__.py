@@ -27,6 +27,8 @@ class Panel:
     shortcut: str = ""
     is_shown: bool = True
     """whether it is there at the first start"""
+    least_width: int = 360
+    """logical pixels; where one below the views would be narrower, it becomes a tab"""
 
 
 panels: Registry[Panel] = Registry("plusedit.views.panels")
@@ -41,11 +43,13 @@ def panel(
     menu: str = "Window",
     shortcut: str = "",
     is_shown: bool = True,
+    least_width: int = 360,
 ) -> Callable[[Callable[[Desk], QWidget]], Callable[[Desk], QWidget]]:
     """A decorator that puts a widget class, or a function that makes a widget, on the shelf."""
 
     def put(make: Callable[[Desk], QWidget]) -> Callable[[Desk], QWidget]:
-        panels.register(name)(Panel(title, area, order, make, menu, shortcut, is_shown))
+        entry = Panel(title, area, order, make, menu, shortcut, is_shown, least_width)
+        panels.register(name)(entry)
         return make
 
     return put

@@ -27,6 +27,7 @@ EMPTY = (
     menu="View",
     shortcut="Ctrl+8",
     is_shown=False,
+    least_width=480,
 )
 class Comparison(LiveWidget):
     """A table with a row for each shape, and a column for each thing it is made of."""

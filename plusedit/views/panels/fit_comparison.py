@@ -49,7 +49,7 @@ SIZES_OF_CURVES = (4, 5, 6, 7, 8, 10, 12, 14, 16, 20, 24)
 SIZES_OF_SURFACES = (3, 4, 5, 6, 7, 8, 10, 12, 14)  # each way
 ORDERS = {"3": "3 (quadratic)", "4": "4 (cubic)", "5": "5", "6": "6"}
 HEADS = ("elements", "numbers", "distance")
-WIDTH = 264  # logical pixels of what is chosen, beside the plots
+WIDTH = 296  # pixels of what stands beside the plots: no number is cut
 HINT = (
     "Curves and surfaces of four families, fitted to the same points by least squares. A control "
     "line takes twice the numbers of a point, a control plane three times: the plot on the right "
@@ -66,6 +66,7 @@ NOTHING = "Select a curve or a surface first, or choose points from the list."
     menu="View",
     shortcut="Ctrl+7",
     is_shown=False,
+    least_width=600,
 )
 class FitComparison(LiveWidget):
     """Two plots of the distance left, over control elements and over numbers stored."""
