@@ -49,7 +49,7 @@ def of_design(design: Design, chosen: frozenset[ShapeId], seen: Seen) -> Iterato
     """How long the teeth are."""
     if any(shape.visible and shape.plus is not None for shape in design.shapes.values()):
         factor = _measure(seen).factor
-        value = Row("tooth of length 1", f"{1.0 / factor:.3g} / unit", "v")
+        value = Row("a tooth 1 unit long", f"κ {1.0 / factor:.3g} / unit", "v")
         yield Caption("Curvature comb", (value,))
 
 
