@@ -35,6 +35,7 @@ from plusedit.app.figure_export import FigureExport
 from plusedit.app.files import Files
 from plusedit.app.flows import Flows, open_elsewhere
 from plusedit.app.notes_bar import NotesBar
+from plusedit.app.passing_notices import PassingNotices
 from plusedit.app.remapping import Remapping
 from plusedit.app.settings import Settings
 from plusedit.app.side_windows import SideWindows
@@ -86,6 +87,7 @@ class MainWindow(QMainWindow):
         self.side = SideWindows(self)
         self.notes, self.status = NotesBar(), Status(self.desk, self.panes)
         self.notices = ConstraintNotices(self.desk, self.view)
+        self.passing = PassingNotices(self.desk)
         self.start_page = StartPage(self.files.open, self.flows.new, self.files.open)
         self.stack = QStackedWidget()
         self._lay_out()
