@@ -23,7 +23,7 @@ from plusedit.scene.drawn_mesh import drawing_of
 from plusedit.scene.drawn_surface import Grids
 from plusedit.scene.mesh_drawing import MeshDrawing
 
-QUICK = 60  # lines of two curves together that are compared within a frame
+QUICK = 100  # lines of two curves together that are compared within a frame
 RECENT = 8  # pairs of which the last comparison is kept
 
 Party: TypeAlias = PlusCurve | PlusSurface | MeshDrawing
