@@ -1,4 +1,4 @@
-"""Which of the overlays that are on have anything to draw of a design, in a view."""
+"""Which of the overlays that are on have anything to draw of a design."""
 
 from collections.abc import Iterable
 
@@ -7,8 +7,8 @@ from plusedit.document.shape import Shape
 from plusedit.scene.overlays import Overlay, Taken
 
 
-def in_use(entries: Iterable[Overlay], design: Design, *, in_space: bool) -> list[Overlay]:
-    """Those that take a shape that is seen; surfaces are colored and striped in space alone."""
+def in_use(entries: Iterable[Overlay], design: Design) -> list[Overlay]:
+    """Those that take a shape that is seen."""
     entries = list(entries)
     if not entries:
         return []
@@ -19,7 +19,7 @@ def in_use(entries: Iterable[Overlay], design: Design, *, in_space: bool) -> lis
         # What takes no shape by itself takes a pair.
         if not entry.takes:
             return len(shown) > 1
-        return bool(kinds & (entry.takes if in_space else entry.draws))
+        return bool(kinds & entry.takes)
 
     return [entry for entry in entries if is_used(entry)]
 

@@ -4,7 +4,7 @@ from collections.abc import Collection
 from dataclasses import replace
 
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF, Qt, Signal
+from PySide6.QtCore import QPoint, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QMouseEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
@@ -84,8 +84,9 @@ class PlaneCanvas(Editing[PlaneCamera], PlaneView):
         self._strata.refresh(self._session.design)
         super().redraw_meshes()
 
-    def _strip_top(self) -> int:
-        return int(RULER) + EDGE if self._options.rulers else EDGE
+    def _strip_corner(self, size: QSize) -> QPoint:
+        top = int(RULER) + EDGE if self._options.rulers else EDGE
+        return QPoint(self.width() - size.width() - EDGE, top)
 
     @property
     def _is_slow(self) -> bool:

@@ -7,7 +7,7 @@ what comes back is drawn.
 from collections.abc import Callable, Collection
 from dataclasses import replace
 
-from PySide6.QtCore import QEvent, QPoint, QPointF, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QPoint, QPointF, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QKeyEvent, QMouseEvent, QWheelEvent
 
 from plusedit.document.design import Design
@@ -19,7 +19,6 @@ from plusedit.interaction.tool import Feedback, Held, Pointer
 from plusedit.scene.drawn_mesh import looks_alike
 from plusedit.scene.items import Item
 from plusedit.scene.options import ViewOptions
-from plusedit.scene.space_camera import SpaceCamera
 from plusedit.scene.theme import LIGHT, Theme
 from plusedit.views.navigation import C
 from plusedit.views.pointer import held_after, key_of, pointer_of
@@ -55,8 +54,7 @@ class Editing(Wayfinding[C]):
         """whether neither the view nor the design has changed for a moment"""
         self._rest = QTimer(self, singleShot=True, interval=RESTS_AFTER)
         self._rest.timeout.connect(self._at_rest)
-        in_space = isinstance(self.camera, SpaceCamera)
-        self._strip = SettingsStrip(self, self._strip_top, in_space=in_space)
+        self._strip = SettingsStrip(self, self._strip_corner)
         self._strip.changed.connect(self.setting_changed)
         self.setMinimumSize(160, 120)
         deaf = [
@@ -155,8 +153,8 @@ class Editing(Wayfinding[C]):
         """Draw what the tool shows now."""
         self.update()
 
-    def _strip_top(self) -> int:
-        """Pixels from the upper edge that numbers of overlays leave free."""
+    def _strip_corner(self, size: QSize) -> QPoint:
+        """Where numbers of overlays have room, so many pixels wide and high."""
         raise NotImplementedError
 
     def _spotted(self) -> tuple[Item, ...]:

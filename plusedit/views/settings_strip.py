@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QSize, Qt, Signal
 from PySide6.QtGui import QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 
@@ -93,9 +93,10 @@ class SettingsStrip(QWidget):
     changed = Signal(str, float)
     """"overlay.setting", and the number"""
 
-    def __init__(self, view: QWidget, top: Callable[[], int], *, in_space: bool) -> None:
+    def __init__(self, view: QWidget, corner: Callable[[QSize], QPoint]) -> None:
+        """`corner` is where there is room for a strip that large."""
         super().__init__(view)
-        self._view, self._top, self._in_space = view, top, in_space
+        self._corner = corner
         self._shown: list[Overlay] = []
         self._fields: dict[str, SettingField] = {}
         self._rows = QGridLayout(self)
@@ -120,18 +121,18 @@ class SettingsStrip(QWidget):
         """The same after an edit, which may have brought the first shape that an overlay draws."""
         named = (entry for entry in in_order() if entry.name in options.overlays)
         asked = (entry for entry in named if entry.settings)
-        shown = in_use(asked, design, in_space=self._in_space)
+        shown = in_use(asked, design)
         if shown != self._shown:
             self._shown = shown
             self._fill(shown)
             self.show_options(options, design)
 
     def place(self) -> None:
-        """Take the upper right corner, if there is anything to show."""
+        """Take the corner that is free, if there is anything to show."""
         self.setVisible(bool(self._shown))
         if self._shown:
             self.adjustSize()
-            self.move(self._view.width() - self.width() - EDGE, self._top())
+            self.move(self._corner(self.size()))
             self.raise_()
 
     def _fill(self, entries: list[Overlay]) -> None:

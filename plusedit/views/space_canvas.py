@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 from pyqtgraph.opengl.GLGraphicsItem import GLGraphicsItem
-from PySide6.QtCore import QPointF, Qt, Signal
+from PySide6.QtCore import QPoint, QPointF, QSize, Qt, Signal
 from PySide6.QtGui import QMouseEvent, QResizeEvent
 from PySide6.QtWidgets import QWidget
 
@@ -31,9 +31,11 @@ from plusedit.views.gl.half_size import HalfSize
 from plusedit.views.gl.tripod import axis_under
 from plusedit.views.opengl import is_software
 from plusedit.views.pointer import pointer_of
+from plusedit.views.settings_strip import EDGE
 from plusedit.views.space_overlay import Sheet, SpaceOverlay
 from plusedit.views.space_view import SpaceView
 
+HALF = 0.5  # of the height: where the legend may begin
 SLOW = 0.030  # seconds, for a frame
 FARTHEST = 1e3  # heights of the view up to which the ground is where the pointer is
 
@@ -152,8 +154,12 @@ class SpaceCanvas(Editing[SpaceCamera], SpaceView):
             is_empty=not len(design) and not self._feedback.items,
         )
 
-    def _strip_top(self) -> int:
-        return int(AXES)
+    def _strip_corner(self, size: QSize) -> QPoint:
+        # Below the axes, unless the legend begins there already and the other corner is free.
+        is_low = AXES + size.height() > HALF * self.height()
+        if is_low and EDGE + size.width() < self.width() - AXES:
+            return QPoint(EDGE, EDGE)
+        return QPoint(self.width() - size.width() - EDGE, int(AXES))
 
     @property
     def _is_slow(self) -> bool:

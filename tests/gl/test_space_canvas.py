@@ -6,7 +6,7 @@ import weakref
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
-from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, Qt
 from PySide6.QtGui import QColor, QMouseEvent, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMainWindow
@@ -23,6 +23,7 @@ from plusedit.scene.plane_handles import plane_handles
 from plusedit.scene.space_camera import SpaceCamera
 from plusedit.scene.theme import DARK, LIGHT
 from plusedit.views.opengl import opengl_problem
+from plusedit.views.settings_strip import SettingsStrip
 from tests.geometry.surfaces import a_surface
 
 pytestmark = pytest.mark.gl
@@ -424,3 +425,14 @@ def test_a_closed_view_can_go_and_is_told_nothing_more(qtbot, session):
     del canvas
     qtbot.waitUntil(lambda: gc.collect() is not None and gone() is None)
     select_plane(session, 3)
+
+
+@pytest.mark.parametrize(("height", "is_right"), [(600, True), (280, False)])
+def test_numbers_of_overlays_leave_a_legend_its_place_in_a_low_view(canvas, height, is_right):
+    canvas.resize(500, height)
+    canvas.set_options(ViewOptions(frozenset({"draft"})))
+    QApplication.processEvents()
+    strip = canvas.findChild(SettingsStrip)
+    assert strip.isVisible()
+    assert (strip.geometry().left() > canvas.width() / 2) == is_right
+    assert not strip.geometry().intersects(QRect(canvas.width() - 104, 0, 104, 104))

@@ -62,9 +62,11 @@ def test_numbers_of_what_draws_nothing_are_not_there(window, strip):
     assert strip.isVisible()
 
 
-def test_numbers_of_colors_and_stripes_are_in_the_view_of_space_alone(window, strip):
+def test_numbers_of_maps_are_there_for_their_level_lines(window, strip):
     window.view.toggle_overlay("comb")
     window.view.toggle_overlay("zebra")
+    assert strip.isVisible()
+    hide(window, unless="curve")
     assert not strip.isVisible()
 
 

@@ -173,20 +173,15 @@ class Overlay:
     """the settings that what is found of meshes depends on"""
 
     @property
-    def draws(self) -> frozenset[Taken]:
-        """What it draws items of, in the plane and in space."""
+    def takes(self) -> frozenset[Taken]:
+        """What it can be drawn of, or colors."""
         draws: dict[Taken, object] = {
             "curve": self._of_curves,
             "surface": self._of_surfaces,
             "mesh": self._of_meshes,
         }
-        return frozenset(kind for kind, draw in draws.items() if draw is not None)
-
-    @property
-    def takes(self) -> frozenset[Taken]:
-        """What it can be drawn of, or colors."""
         striped: frozenset[Taken] = frozenset({"surface", "mesh"} if self.stripes else ())
-        return self.colors | striped | self.draws
+        return self.colors | striped | {kind for kind, draw in draws.items() if draw is not None}
 
     @property
     def is_of_designs(self) -> bool:

@@ -16,6 +16,8 @@ from plusedit.scene.iso_lines import iso_lines
 from plusedit.scene.items import Caption, Item, Row
 from plusedit.scene.overlays import Seen, Setting, overlay
 
+FEWER = 0.3  # of the teeth of a curve, for each of many lines on a surface
+
 comb = overlay(
     "comb",
     title="Curvature comb",
@@ -38,7 +40,7 @@ def of_curve(shape: Shape, curve: PlusCurve, seen: Seen) -> Iterator[Item]:
 @comb.of_surfaces
 def of_surface(shape: Shape, surface: PlusSurface, seen: Seen) -> Iterator[Item]:
     """The lines, and the comb of each."""
-    measure = _measure(seen)
+    measure = _measure(seen, FEWER)
     for line in iso_lines(surface, seen.lines):
         yield line.drawn(seen.camera)
         yield from comb_items(line.curve, measure, seen.camera)
@@ -53,6 +55,6 @@ def of_design(design: Design, chosen: frozenset[ShapeId], seen: Seen) -> Iterato
         yield Caption("Curvature comb", (value,))
 
 
-def _measure(seen: Seen) -> Measure:
+def _measure(seen: Seen, share: float = 1.0) -> Measure:
     extent = USUAL if seen.design is None else extent_of(seen.design)
-    return Measure.of(seen.settings["scale"], seen.settings["density"], extent)
+    return Measure.of(seen.settings["scale"], share * seen.settings["density"], extent)
