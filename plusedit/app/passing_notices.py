@@ -8,7 +8,7 @@ from plusedit.geometry.blend import Grid
 from plusedit.geometry.curve import PlusCurve
 from plusedit.views.desk import Desk
 
-FAR = 0.1  # of the size of a curve: less is seen by itself
+FAR = 0.05  # of the size of a curve: less is seen by itself
 FEW = 2  # points: a single one more may be an accident
 ROUNDING = 1e-6  # of the size
 EACH = 16  # places of a curve that are looked at, for each control line

@@ -3,6 +3,7 @@
 import pytest
 from numpy.testing import assert_allclose
 from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QApplication
 
 from plusedit.commands.shapes import Rename
 from plusedit.document.selection import LineId
@@ -104,3 +105,16 @@ def test_a_longer_name_gets_a_wider_column(window, panel):
     window.desk.commit(Rename(WING, "a much longer name than before"))
     panel.refresh()
     assert panel.table.columnWidth(0) > before
+
+
+def test_place_and_angle_of_plane_curves_are_in_sight_from_the_start(window):
+    window.files.show(a_design(), None)
+    window.resize(1280, 800)
+    panel = window.docks.widget("lines_table")
+    panel.refresh()
+    QApplication.processEvents()
+    header, model = panel.table.horizontalHeader(), panel.model
+    heads = [model.headerData(i, Qt.Orientation.Horizontal) for i in range(model.columnCount())]
+    angle = next(place for place, head in enumerate(heads) if head.startswith("Angle"))
+    right = header.sectionPosition(angle) + header.sectionSize(angle)
+    assert right <= panel.table.viewport().width()

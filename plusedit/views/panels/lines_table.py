@@ -28,6 +28,7 @@ Index = QModelIndex | QPersistentModelIndex
 Role = Qt.ItemDataRole
 
 WIDEST = 104  # logical pixels of the column of names
+NUMBERS = 59  # of those of numbers: so that place and angle are in sight from the start
 SHORT = 7  # characters of the name of a large mesh
 LISTED = 300  # control lines; a design with more lists those of the selected shapes only
 EMPTY = (
@@ -203,7 +204,7 @@ class LinesTable(LiveWidget):
         self.table.verticalHeader().hide()
         self.table.verticalHeader().setDefaultSectionSize(24)
         header = self.table.horizontalHeader()
-        header.setDefaultSectionSize(68)
+        header.setDefaultSectionSize(NUMBERS)
         header.setMinimumSectionSize(36)
         header.setHighlightSections(False)
         header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)

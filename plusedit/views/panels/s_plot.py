@@ -114,8 +114,9 @@ class SPlot(LiveWidget):
             f"{_written(float(distances.largest[0]))} largest",
         ]
         if self._profile is not None and 0.0 <= ratio <= ratios()[-1]:
+            bending = "energy" if isinstance(geometry, PlusCurve) else "∫ H² dA"
             for name, values in (
-                ("energy", self._profile.energy),
+                (bending, self._profile.energy),
                 ("curvature", self._profile.curvature),
             ):
                 parts.append(f"{name} {_written(float(np.interp(ratio, ratios(), values)))}")
