@@ -14,7 +14,7 @@ AREAS = {
     "beside": Qt.DockWidgetArea.RightDockWidgetArea,
     "below": Qt.DockWidgetArea.BottomDockWidgetArea,
 }
-WIDTHS = {"left": 272, "right": 264, "beside": 440}  # logical pixels at the first start
+WIDTHS = {"left": 296, "right": 264, "beside": 440}  # logical pixels at the first start
 HEIGHTS = {"outliner": 300, "lines_table": 300}
 HEIGHT_BELOW = 232
 STATE = 2  # version of the kept places of docks

@@ -11,6 +11,8 @@ from tests.designs import BOW, WING, a_design
 
 pytestmark = pytest.mark.gui
 
+CELL_MARGIN = 6  # pixels that the style leaves on both sides of a cell, about
+
 COLUMNS = {"line": 0, "x": 1, "y": 2, "angle": 3, "length": 4, "auto": 5, "weight": 6}
 
 
@@ -118,3 +120,8 @@ def test_place_and_angle_of_plane_curves_are_in_sight_from_the_start(window):
     angle = next(place for place, head in enumerate(heads) if head.startswith("Angle"))
     right = header.sectionPosition(angle) + header.sectionSize(angle)
     assert right <= panel.table.viewport().width()
+
+
+def test_a_number_of_four_digits_is_not_cut(panel):
+    room = panel.table.fontMetrics().horizontalAdvance("-0.7625") + 2 * CELL_MARGIN
+    assert panel.table.columnWidth(COLUMNS["x"]) >= room

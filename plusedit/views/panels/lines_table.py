@@ -28,7 +28,7 @@ Index = QModelIndex | QPersistentModelIndex
 Role = Qt.ItemDataRole
 
 WIDEST = 104  # logical pixels of the column of names
-NUMBERS = 59  # of those of numbers: so that place and angle are in sight from the start
+NUMBERS = 68  # of those of numbers: room for four digits and a sign
 SHORT = 7  # characters of the name of a large mesh
 LISTED = 300  # control lines; a design with more lists those of the selected shapes only
 EMPTY = (
