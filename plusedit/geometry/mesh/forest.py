@@ -1,7 +1,7 @@
 """The planes of a mesh surface in trees, as the fast preview wants them.
 
-All planes are in one tree, for small S, and again in several, each with reaches that differ by a
-factor of 2.5 at most, for large S. Neither depends on S.
+All planes are in one tree, for small S, and again in groups of trees by their reaches, as grids
+want them (`spreading`), for large S. Neither depends on S.
 """
 
 from dataclasses import dataclass
@@ -14,8 +14,8 @@ from plusedit.geometry.arrays import Floats
 from plusedit.geometry.mesh.foundation import Foundation
 from plusedit.geometry.mesh.plane_tree import PlaneTree
 from plusedit.geometry.mesh.planes import FacePlanes
+from plusedit.geometry.mesh.spreading import least_sigmas
 
-ALIKE = 2.5  # the largest reach in a tree over the least
 KEPT = 8
 
 Counts = NDArray[np.int64]
@@ -27,6 +27,8 @@ class Grove:
     """Some trees of planes, one after another."""
 
     trees: tuple[PlaneTree, ...]
+    groups: Counts
+    """(groups, 2) of the trees that share their grids the first, and the one after the last"""
 
     @cached_property
     def order(self) -> NDArray[np.intp]:
@@ -56,7 +58,7 @@ class Grove:
     @cached_property
     def least(self) -> Floats:
         """(trees,) the least reach in each."""
-        return np.array([tree.reaches.min() for tree in self.trees])
+        return np.array([tree.reaches.min(initial=np.inf) for tree in self.trees])
 
     @cached_property
     def counts(self) -> Counts:
@@ -76,22 +78,26 @@ class Forest:
     @cached_property
     def whole(self) -> Grove:
         """All planes in one tree."""
-        return Grove((self.foundation.tree,))
+        return Grove((self.foundation.tree,), np.array([[0, 1]]))
 
     @cached_property
     def parted(self) -> Grove:
-        """In trees of planes with reaches of a kind."""
+        """In groups of trees of planes with reaches of a kind."""
         tree = self.foundation.tree
         ranked = np.argsort(tree.reaches, kind="stable")
-        sizes = tree.reaches[ranked]
-        parts = []
+        sizes, ends = tree.reaches[ranked], least_sigmas()
+        parts: list[PlaneTree] = []
+        groups: list[tuple[int, int]] = []
         start = 0
         while start < len(ranked):
-            stop = int(np.searchsorted(sizes, ALIKE * sizes[start], side="right"))
-            # Kept in the order of the tree, they need not be sorted by place again.
-            parts.append(tree.taken(np.sort(ranked[start:stop])))
-            start = stop
-        return Grove(tuple(parts))
+            first, least = len(parts), sizes[start]
+            for end in ends[1:] / ends[0]:
+                stop = int(np.searchsorted(sizes, end * least, side="right"))
+                # Kept in the order of the tree, they need not be sorted by place again.
+                parts.append(tree.taken(np.sort(ranked[start:stop])))
+                start = stop
+            groups.append((first, len(parts)))
+        return Grove(tuple(parts), np.array(groups))
 
     @cached_property
     def middle(self) -> Floats:

@@ -1,8 +1,9 @@
 """Inner loops of the fast preview, eight numbers at a time. Imported on request only.
 
 Planes come in a *table*, one row for each number, lengths in a unit and from an origin of the
-table's own: in `spread` the spacing and the corner of the grid. What is summed over planes are
-D = sum W G and N = sum W G L with their derivatives.
+table's own: for grids the spacing and the corner of the places. What is summed over planes are
+D = sum W G and N = sum W G L with their derivatives. Of each row of a grid there are four, of D
+and of N, after each other.
 """
 
 import numpy as np
@@ -10,6 +11,7 @@ from numpy.typing import NDArray
 
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.mesh.compiling import compiled
+from plusedit.geometry.mesh.interpolation import DEGREE, TAPS
 from plusedit.geometry.mesh.lanes import (
     exponential,
     fused,
@@ -20,98 +22,16 @@ from plusedit.geometry.mesh.lanes import (
     store,
     times,
     total,
+    totals,
 )
+from plusedit.geometry.mesh.spreading import AFTER, MARGIN, WIDTH
 
 Singles = NDArray[np.float32]
 
 NUMBERS = 14
 """Rows of a table: c (2), 1 / (2 sigma^2) by u and by v, W, P (3), s A (3), s B (3)."""
 EIGHT = 8  # planes or nodes worked on together
-WIDTH = 64  # nodes in a row of a grid; four rows, of D and of N, follow each other
-TAPS = 8  # nodes in a row that a place is interpolated from
-MARGIN = 3  # nodes before the origin of a grid
-DEGREE = 9  # of the weights as polynomials
-ONE, TWO, ZERO = np.float32(1.0), np.float32(2.0), np.float32(0.0)
-
-
-@compiled
-def spread(
-    table: Singles,
-    count: int,
-    depth: np.float32,
-    width: int,
-    height: int,
-    work: Singles,
-    grid: Singles,
-) -> None:
-    """Add D and N of the table's first planes at the nodes of a grid.
-
-    A Gaussian is a product of one by u and one by v, so that a plane costs as many exponentials as
-    its rectangle of nodes has columns and rows. Beyond exponents of -`depth` it is left out.
-    """
-    ramp = load(work, 0)
-    gu, gv = 8, 8 + 2 * WIDTH
-    margin, stride = np.float32(MARGIN), table.size // NUMBERS
-    for i in range(count):
-        cu, cv = table[i] + margin, table[stride + i] + margin
-        ku, kv = table[2 * stride + i], table[3 * stride + i]
-        half_u, half_v = np.sqrt(depth / ku), np.sqrt(depth / kv)
-        left, right = max(0, int(np.ceil(cu - half_u))), min(width, int(cu + half_u) + 1)
-        low, high = max(0, int(np.ceil(cv - half_v))), min(height, int(cv + half_v) + 1)
-        if left >= right or low >= high:
-            continue
-        left &= ~7
-        rate = same(-ku)
-        for j in range(left, right, 8):
-            d = plus(same(np.float32(j) - cu), ramp)
-            g = exponential(times(times(d, d), rate))
-            store(work, gu + j, g)
-            store(work, gu + WIDTH + j, times(g, d))
-        rate, weight = same(-kv), same(table[4 * stride + i])
-        x, y, z = (
-            same(table[5 * stride + i]),
-            same(table[6 * stride + i]),
-            same(table[7 * stride + i]),
-        )
-        ax, ay, az = (
-            same(table[8 * stride + i]),
-            same(table[9 * stride + i]),
-            same(table[10 * stride + i]),
-        )
-        bx, by, bz = (
-            same(table[11 * stride + i]),
-            same(table[12 * stride + i]),
-            same(table[13 * stride + i]),
-        )
-        for j in range(low & ~7, high, 8):
-            d = plus(same(np.float32(j) - cv), ramp)
-            g = times(weight, exponential(times(times(d, d), rate)))
-            store(work, gv + j, g)
-            store(work, gv + WIDTH + j, times(g, fused(d, bx, x)))
-            store(work, gv + 2 * WIDTH + j, times(g, fused(d, by, y)))
-            store(work, gv + 3 * WIDTH + j, times(g, fused(d, bz, z)))
-            store(work, gv + 4 * WIDTH + j, times(g, ax))
-            store(work, gv + 5 * WIDTH + j, times(g, ay))
-            store(work, gv + 6 * WIDTH + j, times(g, az))
-        for row in range(low, high):
-            at_row = gv + row
-            g, px, py = (
-                same(work[at_row]),
-                same(work[at_row + WIDTH]),
-                same(work[at_row + 2 * WIDTH]),
-            )
-            pz, sx = same(work[at_row + 3 * WIDTH]), same(work[at_row + 4 * WIDTH])
-            sy, sz = same(work[at_row + 5 * WIDTH]), same(work[at_row + 6 * WIDTH])
-            for j in range(left, right, 8):
-                a, b = load(work, gu + j), load(work, gu + WIDTH + j)
-                at = 4 * WIDTH * row + j
-                store(grid, at, fused(g, a, load(grid, at)))
-                at += WIDTH
-                store(grid, at, fused(px, a, fused(sx, b, load(grid, at))))
-                at += WIDTH
-                store(grid, at, fused(py, a, fused(sy, b, load(grid, at))))
-                at += WIDTH
-                store(grid, at, fused(pz, a, fused(sz, b, load(grid, at))))
+TWO, ZERO = np.float32(2.0), np.float32(0.0)
 
 
 @compiled
@@ -122,8 +42,6 @@ def gather(
     origin: Floats,
     unit: float,
     rate: float,
-    width: int,
-    height: int,
     weights: Singles,
     work: Singles,
     grid: Singles,
@@ -133,8 +51,9 @@ def gather(
     steep = np.float32(rate / unit)
     for p in range(start, stop):
         tu, tv = (places[p, 0] - origin[0]) / unit, (places[p, 1] - origin[1]) / unit
-        i, j = min(max(int(tu), 0), width - TAPS), min(max(int(tv), 0), height - TAPS)
+        i, j = int(tu), int(tv)
         f, g = same(np.float32(tu - i)), same(np.float32(tv - j))
+        i, j = i + MARGIN + 1 - AFTER, j + MARGIN + 1 - AFTER
         wu, wv = load(weights, 0), load(weights, 0)
         du, dv = same(ZERO), same(ZERO)
         for d in range(1, DEGREE + 1):
@@ -143,15 +62,26 @@ def gather(
             wu, wv = fused(wu, f, c), fused(wv, g, c)
         store(work, 8, wv)
         store(work, 16, dv)
+        first = 4 * WIDTH * j + i
+        s = x = y = z = sv = xv = yv = zv = same(ZERO)
+        for r in range(TAPS):
+            w, d = same(work[8 + r]), same(work[16 + r])
+            row = load(grid, first)
+            s, sv = fused(row, w, s), fused(row, d, sv)
+            row = load(grid, first + WIDTH)
+            x, xv = fused(row, w, x), fused(row, d, xv)
+            row = load(grid, first + 2 * WIDTH)
+            y, yv = fused(row, w, y), fused(row, d, yv)
+            row = load(grid, first + 3 * WIDTH)
+            z, zv = fused(row, w, z), fused(row, d, zv)
+            first += 4 * WIDTH
+        store(work, 24, totals(times(wu, s), times(wu, x), times(wu, y), times(wu, z)))
+        store(work, 32, totals(times(du, s), times(du, x), times(du, y), times(du, z)))
+        store(work, 40, totals(times(wu, sv), times(wu, xv), times(wu, yv), times(wu, zv)))
         for k in range(4):
-            at = by_v = same(ZERO)
-            for r in range(TAPS):
-                row = load(grid, (4 * (j + r) + k) * WIDTH + i)
-                at = fused(row, same(work[8 + r]), at)
-                by_v = fused(row, same(work[16 + r]), by_v)
-            sums[p, k] += total(times(wu, at))
-            sums[p, 4 + k] += steep * total(times(du, at))
-            sums[p, 8 + k] += steep * total(times(wu, by_v))
+            sums[p, k] += work[24 + k]
+            sums[p, 4 + k] += steep * work[32 + k]
+            sums[p, 8 + k] += steep * work[40 + k]
 
 
 @compiled

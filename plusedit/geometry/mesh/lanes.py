@@ -144,6 +144,28 @@ def total(typing: Any, a: Any) -> Any:
 
 
 @code
+def totals(typing: Any, a: Any, b: Any, c: Any, d: Any) -> Any:
+    """The sum of the eight numbers in each, and these four again."""
+
+    def written(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        def folded(x: Any, y: Any, first: list[int], second: list[int]) -> Any:
+            def mask(numbers: list[int]) -> Any:
+                return ir.Constant(WHOLE, numbers)
+
+            parts = (builder.shuffle_vector(x, y, mask(each)) for each in (first, second))
+            return builder.fadd(*parts)
+
+        pairs = [0, 8, 2, 10, 4, 12, 6, 14], [1, 9, 3, 11, 5, 13, 7, 15]
+        fours = [0, 1, 8, 9, 4, 5, 12, 13], [2, 3, 10, 11, 6, 7, 14, 15]
+        halves = [0, 1, 2, 3, 0, 1, 2, 3], [4, 5, 6, 7, 4, 5, 6, 7]
+        a, b, c, d = arguments
+        found = folded(folded(a, b, *pairs), folded(c, d, *pairs), *fours)
+        return folded(found, found, *halves)
+
+    return LANES(LANES, LANES, LANES, LANES), written
+
+
+@code
 def exponential(typing: Any, a: Any) -> Any:
     """exp of eight numbers below 80, to 2e-7; of those below -80 as if they were -80."""
 

@@ -3,14 +3,15 @@
 With D = sum W G and N = sum W L G the surface is N / D, and where many planes count, both vary
 only at the scale of sigma. So they are summed up at the nodes of grids and interpolated:
 
-* The planes are sorted into trees of sigmas that differ by a factor of 2.5 at most (`forest`).
-  Each tree has a grid of its own, of a spacing of 0.4 of its least sigma. Places gather from the
-  grids of all trees whose planes reach them, so that a fine grid is only where planes are small.
-* A grid is made tile by tile, some 56 nodes wide, and only where there are places. A Gaussian is a
-  product of one by u and one by v: a plane costs as many exponentials as its window of nodes has
-  columns and rows, and the products are made eight at a time (`grid_kernels`).
-* The larger S, the fewer nodes and tiles. A plane's window has the same number of nodes for all S.
-* Tiles with few places or planes, and for small S all, are summed up without a grid.
+* The planes are sorted into groups of sigmas that differ by a factor of 1.55 at most (`forest`).
+  Each group has a grid of its own, of a spacing of 0.36 of its least sigma. Places gather from the
+  grids of all groups whose planes reach them, so that a fine grid is only where planes are small.
+* A grid is made tile by tile, about a hundred nodes wide, and only where there are places. A plane
+  is spread on fourteen nodes each way, whatever S is, and what is left of its Gaussian is one blur
+  of the whole grid (`spreading`).
+* The larger S, the fewer nodes and tiles. Only the planes themselves do not become fewer.
+* Tiles with few places or planes, and for small S all, are summed up without a grid
+  (`preview_costs`).
 
 Planes beyond 5.5 sigma are left out; the error stays below 1e-5 of the mesh's diagonal. Where D is
 too small to tell, the surface is evaluated to full accuracy.

@@ -8,17 +8,18 @@ from numpy.typing import NDArray
 
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.mesh.compiling import compiled
-from plusedit.geometry.mesh.grid_kernels import (
-    EIGHT,
-    NUMBERS,
-    TAPS,
-    WIDTH,
-    Singles,
-    add,
-    gather,
-    spread,
+from plusedit.geometry.mesh.grid_kernels import EIGHT, NUMBERS, Singles, add, gather
+from plusedit.geometry.mesh.spread_kernels import RAMP, blurred, spread, spread_directly
+from plusedit.geometry.mesh.spreading import AFTER, MARGIN, WIDTH
+from plusedit.geometry.mesh.tile_kernels import (
+    BLOCK,
+    LEAF,
+    Counts,
+    Scene,
+    bounds_of,
+    collect,
+    grid_size,
 )
-from plusedit.geometry.mesh.tile_kernels import BLOCK, Counts, Scene, bounds_of, collect
 
 FEW = 4  # places that choose together among the planes found for a block
 TABLE = 512  # planes collected at a time
@@ -27,50 +28,63 @@ TABLE = 512  # planes collected at a time
 @compiled
 def by_grids(scene: Scene, places: Floats, weights: Singles, rows: Counts, sums: Singles) -> None:
     """Add D, N and their slopes at the places of these tiles, by way of a grid for each."""
-    box, near, stack = np.empty(4), np.empty(4), np.empty(160, np.int64)
-    table = np.empty(NUMBERS * TABLE, np.float32)
-    numbers = table.reshape(NUMBERS, TABLE)
-    work = np.empty(9 * WIDTH + 16, np.float32)
-    for k in range(8):
+    box = np.empty(4)
+    work = np.empty(9 * WIDTH + RAMP, np.float32)
+    for k in range(RAMP):
         work[k] = k
     grid = np.empty(4 * WIDTH * WIDTH, np.float32)
-    whole = np.empty_like(grid)
-    depth = np.float32(scene.numbers[1])
+    between = np.empty_like(grid)
     for t in range(len(rows)):
-        tree, start, stop = rows[t, 0], rows[t, 1], rows[t, 2]
-        unit = scene.units[tree]
+        group, start, stop = rows[t, 0], rows[t, 1], rows[t, 2]
+        unit = scene.units[group]
         bounds_of(places, start, stop, box)
-        width = max(int(np.ceil((box[2] - box[0]) / unit)), 1) + TAPS - 1
-        height = max(int(np.ceil((box[3] - box[1]) / unit)), 1) + TAPS - 1
-        size = 4 * WIDTH * height
-        whole[:size] = np.float32(0.0)
-        # The margins of the grid, which are interpolated from, need no planes of their own: beyond
-        # the box their values are what the planes collected for it give.
-        stack[0], stack[-1] = -1, 0
-        while True:
-            count = collect(scene, tree, box, unit, near, stack, numbers)
-            if count == 0:
-                break
-            # Some hundred planes are added up by themselves: sums of thousands one by one lose
-            # digits with every step.
-            grid[:size] = np.float32(0.0)
-            spread(table, count, depth, width, height, work, grid)
-            for k in range(size):
-                whole[k] += grid[k]
-        gather(
-            places,
-            start,
-            stop,
-            box,
-            unit,
-            scene.numbers[2],
-            width,
-            height,
-            weights,
-            work,
-            whole,
-            sums,
-        )
+        width, height = grid_size((box[2] - box[0]) / unit), grid_size((box[3] - box[1]) / unit)
+        grid[: 4 * WIDTH * height] = np.float32(0.0)
+        between[: 4 * WIDTH * height] = np.float32(0.0)
+        if fill(scene, group, box, width, height, work, between, grid):
+            rate = scene.numbers[2]
+            gather(places, start, stop, box, unit, rate, weights, work, grid, sums)
+
+
+@compiled
+def fill(
+    scene: Scene,
+    group: int,
+    box: Floats,
+    width: int,
+    height: int,
+    work: Singles,
+    between: Singles,
+    grid: Singles,
+) -> bool:
+    """Bring the planes of a group to a grid that is zero; whether there are any.
+
+    The margins of the grid need no planes of their own: beyond the box their values are what the
+    planes found for it give.
+    """
+    near, stack = np.empty(4), np.empty(160, np.int64)
+    table = np.empty(NUMBERS * TABLE, np.float32)
+    numbers = table.reshape(NUMBERS, TABLE)
+    known, unit, depth = scene.spreading, scene.units[group], np.float32(scene.numbers[1])
+    first, last = scene.groups[group, 0], scene.groups[group, 1]
+    filled = False
+    # Blurs come first: they are for all that is on the grid.
+    for direct in (False, True):
+        for tree in range(last - 1, first - 1, -1):
+            step = tree - first
+            stack[0], stack[-1] = -1, 0
+            while scene.capped[tree] == direct and stack[-1] < len(scene.signs):
+                count = collect(scene, tree, box, unit, near, stack, numbers, 0)
+                filled = filled or count > 0
+                if direct:
+                    spread_directly(table, count, depth, width, height, work, grid)
+                    continue
+                least, bins, weights = known.least[step], known.bins[step], known.weights[step]
+                spread(table, count, least, bins, weights, width, height, work, grid)
+            if filled and not direct:
+                radius, edge = known.radii[step, 0], MARGIN - AFTER - known.radii[step, 1]
+                blurred(radius, known.blurs[step], edge, width, height, between, grid)
+    return filled
 
 
 @compiled
@@ -82,16 +96,21 @@ def one_by_one(scene: Scene, places: Floats, rows: Counts, sums: Singles) -> Non
     bounds, chosen = np.empty((TABLE // EIGHT, 6)), np.empty(TABLE // EIGHT, np.int64)
     few, unit, depth = np.empty(4), scene.numbers[2], scene.numbers[1]
     for t in range(len(rows)):
-        tree, first, last = rows[t, 0], rows[t, 1], rows[t, 2]
+        group, first, last = rows[t, 0], rows[t, 1], rows[t, 2]
         for start in range(first, last, BLOCK):
             stop = min(start + BLOCK, last)
             bounds_of(places, start, stop, box)
+            count, tree = 0, scene.groups[group, 0]
             stack[0], stack[-1] = -1, 0
-            while True:
-                count = collect(scene, tree, box, unit, near, stack, numbers)
-                if count == 0:
-                    break
+            while tree < scene.groups[group, 1]:
+                count = collect(scene, tree, box, unit, near, stack, numbers, count)
+                if stack[-1] == len(scene.signs):
+                    tree += 1
+                    stack[0], stack[-1] = -1, 0
+                    if tree < scene.groups[group, 1] and count <= TABLE - LEAF:
+                        continue
                 eights = bounds_of_eights(numbers, count, bounds)
+                count = 0
                 for begin in range(start, stop, FEW):
                     end = min(begin + FEW, stop)
                     bounds_of(places, begin, end, few)

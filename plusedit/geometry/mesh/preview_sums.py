@@ -18,21 +18,15 @@ from plusedit.geometry.mesh.forest import Forest, Grove, values
 from plusedit.geometry.mesh.interpolation import weight_polynomials
 from plusedit.geometry.mesh.ordering import ordered
 from plusedit.geometry.mesh.planes import FacePlanes
+from plusedit.geometry.mesh.preview_costs import grids_pay, of_tiles
+from plusedit.geometry.mesh.spreading import SPACING, spreading
 
 if TYPE_CHECKING:
     from plusedit.geometry.mesh.tile_kernels import Scene
 
-SPACING = 0.4  # of grids, in units of the least sigma of a tree
 REACH = 5.5  # sigma: farther planes are left out
 ALONE = 1.6  # reaches that the nearest plane may be away from a place, if S is small
 SMALL = 0.7  # S below which a grid is too coarse for the few planes at a place
-WIDTH = 56  # nodes across a tile
-
-# Nanoseconds, to choose between two ways: only their ratios count.
-PER_PAIR = 3.0  # a plane at a place
-PER_PLANE = 250.0  # a plane at the nodes of a grid
-PER_PLACE = 100.0  # a place at a grid
-PER_TILE = 5000.0
 TILES = 1 << 13  # room for these at first
 DENSE = 128  # places looking for planes together, if there are as many places as planes
 
@@ -83,32 +77,22 @@ def sums(wood: Forest, planes: FacePlanes, target: Target, smoothness: float, s:
     places = target.places
     # Places far from each other would see too many planes, and too wide a box has too few digits.
     most = min(max(1, DENSE * len(places) // len(wood.whole.order)), tile_kernels.BLOCK)
-    if _is_small(wood, target, smoothness):
+    scene = None
+    if smoothness >= SMALL:
+        scene = scene_of(wood, wood.parted, planes, target, smoothness, s)
+    if scene is None or not grids_pay(scene, target.box, len(places), REACH / SPACING):
         scene = scene_of(wood, wood.whole, planes, target, smoothness, s)
         blocks = _listed(partial(tile_kernels.blocks, target.codes, most), 2)
         rows = np.zeros((len(blocks), tile_kernels.COLUMNS), dtype=np.int64)
         rows[:, 1:3] = blocks
         return _in_turns([(partial(kernels.one_by_one, scene, places), rows)], len(places))
-    scene = scene_of(wood, wood.parted, planes, target, smoothness, s)
     rows = _tiles(scene, target, max(1, most // 4))
-    cost, suits = _grid_cost(rows)
+    cost, suits = of_tiles(scene, rows, REACH / SPACING)
     dearest = np.argsort(-cost)
     rows, suits = rows[dearest], suits[dearest]
     by_grids = partial(kernels.by_grids, scene, places, weight_polynomials(SPACING))
     one_by_one = partial(kernels.one_by_one, scene, places)
     return _in_turns([(by_grids, rows[suits]), (one_by_one, rows[~suits])], len(places))
-
-
-def _is_small(wood: Forest, target: Target, smoothness: float) -> bool:
-    """Whether going through the planes of every place is right."""
-    count = len(wood.whole.order)
-    # Places that look together see the planes of all; 76 S^2 lie within 5 sigma of one.
-    seen = 100.0 + 220.0 * smoothness**2
-    pairs = len(target.places) * min(seen, count) * PER_PAIR
-    trees = len(wood.parted.trees)
-    # A plane's nodes are in several tiles.
-    grids = 4.0 * count * PER_PLANE + len(target.places) * trees * PER_PLACE
-    return smoothness < SMALL or pairs < grids
 
 
 def _tiles(scene: "Scene", target: Target, most: int) -> Counts:
@@ -128,19 +112,6 @@ def _listed(work: Callable[[Counts], int], columns: int) -> Counts:
         if count <= room:
             return rows[:count]
         room = count
-
-
-def _grid_cost(rows: Counts) -> tuple[Floats, NDArray[np.bool_]]:
-    """(k,) what each tile costs, and whether a grid makes it cheaper."""
-    planes, places = 16.0 * rows[:, 3], (rows[:, 2] - rows[:, 1]).astype(np.float64)
-    grid = PER_TILE + planes * PER_PLANE + places * PER_PLACE
-    # Of the planes around a tile those around a block of sixteen places.
-    window = 2.0 * 1.5 * REACH / SPACING
-    block = WIDTH * np.sqrt(np.minimum(16.0 / places, 1.0))
-    seen = planes * ((block + window) / (WIDTH + window)) ** 2
-    pairs = places * seen * PER_PAIR
-    suits = (rows[:, 4] > 0) & (grid < pairs)
-    return np.where(suits, grid, pairs), suits
 
 
 def _in_turns(works: list[tuple[Work, Counts]], count: int) -> Singles:
@@ -181,6 +152,7 @@ def scene_of(
         *(_image_reach(p, w, depth) for p, w in zip(domain.periods, sigma, strict=True))
     )
     node_halves = _halves(bounded * grove.largest, caps)
+    units = SPACING * np.minimum(bounded * grove.least[grove.groups[:, 0]], caps.min())
     roots = grove.counts[:, 0] + 1
     return Scene(
         counts=grove.counts,
@@ -190,7 +162,10 @@ def scene_of(
         halves=halves,
         heights=heights.astype(np.float32),
         values=values(planes, grove, wood, target.extent),
-        units=SPACING * np.minimum(bounded * grove.least, caps.min()),
+        groups=grove.groups,
+        units=units,
+        capped=bounded * grove.largest[roots] > caps.min(),
+        spreading=spreading(),
         shifts=images.shifts,
         signs=images.signs,
         images=_near(images, target.box, grove.boxes[roots], node_halves[roots], depth),

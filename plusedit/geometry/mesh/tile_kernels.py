@@ -10,15 +10,17 @@ from numpy.typing import NDArray
 
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.mesh.compiling import compiled
-from plusedit.geometry.mesh.grid_kernels import TAPS, WIDTH, Singles
+from plusedit.geometry.mesh.grid_kernels import Singles
+from plusedit.geometry.mesh.spreading import MARGIN, WIDTH, Spreading
 
 Counts = NDArray[np.int64]
 
 LEAF = 16  # planes
 BLOCK = 64  # places that look for their planes together where no grid is used
 DEEPEST_LEVEL = 104  # bits in the order of places
-COLUMNS = 5
-"""Of the list of tiles: tree, first and last place, leaves of planes, 1 if a grid may be used."""
+COLUMNS = 6
+"""Of the list of tiles: group of trees, first place and the one after the last, leaves of planes, 1
+if a grid may be used, and how many nodes that has at most, margins included."""
 
 
 class Scene(NamedTuple):
@@ -38,8 +40,13 @@ class Scene(NamedTuple):
     """(n,) what planes taken for narrower than they are count more"""
     values: Singles
     """(n, 10) W, P, A, B for a scale of u and v"""
+    groups: Counts
+    """(groups, 2) of trees that share their grids the first, and the one after the last"""
     units: Floats
-    """(trees,) the spacing of grids"""
+    """(groups,) the spacing of grids"""
+    capped: NDArray[np.bool_]
+    """(trees,) whether some sigma is cut down to its cap, and grids are not blurred"""
+    spreading: Spreading
     shifts: Floats
     """(images, 2)"""
     signs: Floats
@@ -101,11 +108,12 @@ def collect(
     near: Floats,
     stack: Counts,
     table: Singles,
+    filled: int,
 ) -> int:
-    """Fill the table with planes that reach the box, relative to its corner; how many there are.
+    """Add planes that reach the box to those in the table, relative to its corner; how many then.
 
-    The last row of the stack is the image that is being looked through, and is left there for the
-    next call; 0 planes say that all have been found.
+    The last of the stack is the image that is being looked through, and is left there for the next
+    call, if the table is full; with all images looked through it is their number.
     """
     boxes, node_halves, centers, halves = (
         scene.boxes,
@@ -118,7 +126,6 @@ def collect(
     first_node, leaves = scene.counts[tree, 0], scene.counts[tree, 1]
     first, count = scene.counts[tree, 2], scene.counts[tree, 3]
     room, last = table.shape[1], len(stack) - 1
-    filled = 0
     for image in range(stack[last], len(signs)):
         stack[last] = image
         if not scene.images[tree, image]:
@@ -190,8 +197,9 @@ def tiles(
     box, near, stack = np.empty(4), np.empty(4), np.empty(160, np.int64)
     ranges, corners = np.empty((256, 3), np.int64), np.empty((256, 2))
     found = 0
-    for tree in range(len(scene.units)):
-        side = scene.units[tree] * (WIDTH - TAPS - 1)
+    for group in range(len(scene.units)):
+        unit = scene.units[group]
+        side = unit * (WIDTH - 2 * MARGIN - 2)
         ranges[0, 0], ranges[0, 1], ranges[0, 2] = 0, len(codes), 0
         corners[0, 0], corners[0, 1] = low[0], low[1]
         waiting = 1
@@ -204,14 +212,19 @@ def tiles(
             box[0], box[1], box[2], box[3] = u, v, u + side_u, v + side_v
             fits = side_u <= side and side_v <= side
             small = fits or stop - start <= most or level >= DEEPEST_LEVEL
-            planes = leaves_near(scene, tree, box, near, stack, 1 << 30 if small else 1)
+            planes = 0
+            for tree in range(scene.groups[group, 0], scene.groups[group, 1]):
+                if small or planes == 0:
+                    most_here = 1 << 30 if small else 1
+                    planes += leaves_near(scene, tree, box, near, stack, most_here)
             if planes == 0:
                 continue
             if small:
                 if found < len(out):
-                    out[found, 0], out[found, 1] = tree, start
+                    out[found, 0], out[found, 1] = group, start
                     out[found, 2], out[found, 3] = stop, planes
                     out[found, 4] = 1 if fits else 0
+                    out[found, 5] = grid_size(side_u / unit) * grid_size(side_v / unit)
                 found += 1
                 continue
             split = first_upper(codes, start, stop, level)
@@ -225,6 +238,12 @@ def tiles(
                 corners[waiting, 0], corners[waiting, 1] = u, v
                 waiting += 1
     return found
+
+
+@compiled
+def grid_size(extent: float) -> int:
+    """How many nodes a grid has in a row, where places are so many nodes wide."""
+    return int(min(extent, 1e6)) + 2 * MARGIN + 2
 
 
 @compiled

@@ -6,7 +6,7 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from plusedit.geometry.arrays import unit
-from plusedit.geometry.mesh import preview_sums
+from plusedit.geometry.mesh import preview_costs, preview_sums
 from plusedit.geometry.mesh.domains import CylinderDomain, PlaneDomain
 from plusedit.geometry.mesh.evaluation import points_and_normals
 from plusedit.geometry.mesh.interpolation import TAPS, weight_polynomials, weights
@@ -90,7 +90,8 @@ def test_the_preview_of_coarse_meshes_of_every_domain_is_near(kind, smoothness):
 @pytest.mark.parametrize("kind", [terrain, limb, pillow], ids=lambda each: each.__name__)
 @pytest.mark.parametrize("smoothness", [1.0, 4.0])
 def test_grids_alone_are_as_near(kind, smoothness, monkeypatch):
-    monkeypatch.setattr(preview_sums, "PER_PAIR", 1e9)
+    monkeypatch.setattr(preview_costs, "PER_PAIR", 1e9)
+    monkeypatch.setattr(preview_costs, "LEAST", 0.0)
     surface = kind(smoothness=smoothness)
     agrees(surface, np.random.default_rng(1).choice(surface.vertex_places, 600, axis=0))
 
@@ -98,7 +99,8 @@ def test_grids_alone_are_as_near(kind, smoothness, monkeypatch):
 @pytest.mark.parametrize("kind", [terrain, limb, pillow], ids=lambda each: each.__name__)
 @pytest.mark.parametrize("smoothness", [1.0, 4.0])
 def test_without_any_grid_it_is_nearer_still(kind, smoothness, monkeypatch):
-    monkeypatch.setattr(preview_sums, "PER_PAIR", 0.0)
+    monkeypatch.setattr(preview_costs, "PER_PAIR", 0.0)
+    monkeypatch.setattr(preview_costs, "PER_VISIT", 0.0)
     surface = kind(smoothness=smoothness)
     agrees(surface, np.random.default_rng(1).choice(surface.vertex_places, 600, axis=0))
 
