@@ -3,22 +3,22 @@
 from collections.abc import Iterable
 
 from plusedit.document.design import Design
-from plusedit.document.shape import Shape
+from plusedit.document.shape import Shape, ShapeId
 from plusedit.scene.overlays import Overlay, Taken
+from plusedit.scene.shape_pairs import pair_of
 
 
-def in_use(entries: Iterable[Overlay], design: Design) -> list[Overlay]:
-    """Those that take a shape that is seen."""
+def in_use(entries: Iterable[Overlay], design: Design, chosen: frozenset[ShapeId]) -> list[Overlay]:
+    """Those that take a shape that is seen, or compare two of which some are selected."""
     entries = list(entries)
     if not entries:
         return []
-    shown = [shape for shape in design.shapes.values() if shape.visible]
-    kinds = {_kind(shape) for shape in shown}
+    kinds = {_kind(shape) for shape in design.shapes.values() if shape.visible}
 
     def is_used(entry: Overlay) -> bool:
-        # What takes no shape by itself takes a pair.
-        if not entry.takes:
-            return len(shown) > 1
+        if entry.compares:
+            pair = pair_of(design, chosen)
+            return pair is not None and design[pair.first].curve is not None
         return bool(kinds & entry.takes)
 
     return [entry for entry in entries if is_used(entry)]

@@ -59,7 +59,7 @@ class Editing(Wayfinding[C]):
         self.setMinimumSize(160, 120)
         deaf = [
             self._session.changed.listen(self._edited),
-            self._session.selected.listen(lambda old, new: self.update()),
+            self._session.selected.listen(lambda old, new: self._selected()),
             self._gestures.feedback.listen(self._told),
             self._gestures.panned.listen(self.pan),
         ]
@@ -87,7 +87,7 @@ class Editing(Wayfinding[C]):
     def set_options(self, options: ViewOptions) -> None:
         """Show that besides the shapes."""
         self._options = self._gestures.options = options
-        self._strip.show_options(options, self._session.design)
+        self._strip.show_options(options, self._session)
         self.update()
 
     @property
@@ -174,9 +174,13 @@ class Editing(Wayfinding[C]):
     def _edited(self, old: Design, new: Design) -> None:
         self._is_resting = False
         self._rest.start()
-        self._strip.show_design(self._options, new)
+        self._strip.show_design(self._options, self._session)
         if not looks_alike(old, new):
             self.update()
+
+    def _selected(self) -> None:
+        self._strip.show_design(self._options, self._session)
+        self.update()
 
     def _told(self, feedback: Feedback) -> None:
         self._feedback = feedback

@@ -6,7 +6,7 @@ from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QSize, Qt, Signal
 from PySide6.QtGui import QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 
-from plusedit.document.design import Design
+from plusedit.document.session import Session
 from plusedit.scene.in_use import in_use
 from plusedit.scene.options import ViewOptions
 from plusedit.scene.overlays import Overlay, Setting, in_order
@@ -109,23 +109,23 @@ class SettingsStrip(QWidget):
         view.installEventFilter(self)
         self.hide()
 
-    def show_options(self, options: ViewOptions, design: Design) -> None:
+    def show_options(self, options: ViewOptions, session: Session) -> None:
         """Show the numbers of the overlays that are on, as far as they draw anything."""
-        self.show_design(options, design)
+        self.show_design(options, session)
         for owner in self._shown:
             for name, value in owner.numbers(options.settings).items():
                 self._fields[f"{owner.name}.{name}"].show_value(value)
         self.place()
 
-    def show_design(self, options: ViewOptions, design: Design) -> None:
-        """The same after an edit, which may have brought the first shape that an overlay draws."""
+    def show_design(self, options: ViewOptions, session: Session) -> None:
+        """The same once there are other shapes, or others are selected."""
         named = (entry for entry in in_order() if entry.name in options.overlays)
         asked = (entry for entry in named if entry.settings)
-        shown = in_use(asked, design)
+        shown = in_use(asked, session.design, session.selection.shapes)
         if shown != self._shown:
             self._shown = shown
             self._fill(shown)
-            self.show_options(options, design)
+            self.show_options(options, session)
 
     def place(self) -> None:
         """Take the corner that is free, if there is anything to show."""

@@ -7,6 +7,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel
 
 from plusedit.commands.shapes import SetVisible
+from plusedit.document.selection import Selection
 from plusedit.scene.options import options_of
 from plusedit.views.settings_strip import DOUBLES, NOTCH, SettingField, SettingsStrip
 from tests.gui.test_canvas import LEFT, move
@@ -60,6 +61,18 @@ def test_numbers_of_what_draws_nothing_are_not_there(window, strip):
     assert not strip.isVisible()
     window.undo()
     assert strip.isVisible()
+
+
+def test_numbers_of_what_compares_two_curves_are_there_while_there_are_two(window, strip):
+    window.view.toggle_overlay("comb")
+    window.view.toggle_overlay("two_shapes")
+    design = window.session.design
+    curves = [i for i, shape in design.shapes.items() if shape.curve is not None]
+    window.session.commit(SetVisible(curves, True))
+    window.session.select(Selection.of_shapes(curves[:2]))
+    assert strip.isVisible()
+    window.session.select(Selection.of_shapes(design.shapes))
+    assert not strip.isVisible()
 
 
 def test_numbers_of_maps_are_there_for_their_level_lines(window, strip):
