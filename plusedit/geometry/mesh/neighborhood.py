@@ -20,6 +20,7 @@ from plusedit.geometry.mesh.mesh_surface import MeshSurface
 from plusedit.geometry.mesh.nearby import DEEPEST
 from plusedit.geometry.mesh.planes import FacePlanes
 
+FEW = 16  # centers that are looked at one by one
 NEAREST = 4  # planes, of which that with the least e bounds it
 ROUNDING = 1e-9
 
@@ -39,8 +40,7 @@ def changed_places(old: MeshSurface, new: MeshSurface, places: Floats) -> Rows |
     if not len(faces) or not len(places):
         return np.zeros(0, dtype=np.intp)
     near = near_planes(old, places)
-    narrow = np.minimum(old.sigmas, new.sigmas)
-    limits = DEEPEST + _least_exponents(near, narrow, old.domain)
+    limits = DEEPEST + _bounds(old, new, places)
     wide = np.maximum(old.sigmas[faces], new.sigmas[faces])
     found = np.zeros(len(places), dtype=np.bool_)
     octaves = np.floor(np.log2(wide))
@@ -57,7 +57,9 @@ def changed_faces(old: MeshSurface, new: MeshSurface) -> Rows:
     differ = old.foundation.reaches != new.foundation.reaches
     if before is not after:
         for name in ("points", "gradients_u", "gradients_v"):
-            differ |= (getattr(before, name) != getattr(after, name)).any(axis=1)
+            unequal = getattr(before, name) != getattr(after, name)
+            # Looking at rows of three one by one takes longer than all the rest.
+            differ[np.flatnonzero(unequal) // 3] = True
     return np.flatnonzero(differ & (before.radii > 0.0))
 
 
@@ -101,6 +103,34 @@ def _near_planes(planes: FacePlanes, domain: Domain, places: Floats) -> Near:
     return Near(inside, planes.used[nearest], inside[:, None] - centers[nearest])
 
 
+def _bounds(old: MeshSurface, new: MeshSurface, places: Floats) -> Floats:
+    """(m,) no plane that is nearest in units of sigma, of either surface, has a larger e there."""
+    if old.foundation is new.foundation and not places.flags.writeable:
+        return _known_bounds(_Sigmas(old), Held(places))
+    narrow = np.minimum(old.sigmas, new.sigmas)
+    return _least_exponents(near_planes(old, places), narrow, old.domain)
+
+
+class _Sigmas:
+    """A surface, equal to others of the same sigmas and places of planes."""
+
+    def __init__(self, surface: MeshSurface) -> None:
+        self.surface = surface
+        self.key = surface.foundation, surface.smoothness, surface.domain
+
+    def __hash__(self) -> int:
+        return hash(self.key)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Sigmas) and other.key == self.key
+
+
+@lru_cache(maxsize=8)
+def _known_bounds(of: _Sigmas, held: Held) -> Floats:
+    surface = of.surface
+    return _least_exponents(near_planes(surface, held.array), surface.sigmas, surface.domain)
+
+
 def _least_exponents(near: Near, sigmas: Floats, domain: Domain) -> Floats:
     """(m,) no plane that is nearest in units of sigma has a larger e there."""
     widths = np.minimum(sigmas[near.faces][..., None], FLAT * np.array(domain.periods))
@@ -112,19 +142,33 @@ def _within(
     surface: MeshSurface, faces: Rows, inside: Floats, reaches: Floats
 ) -> NDArray[np.bool_]:
     """(m,) whether the center of one of these faces, or an image of it, is that near."""
-    from scipy.spatial import KDTree
-
     domain = surface.domain
     # So wide around, nearly every place is near some image.
     found = reaches >= 0.5 * min(domain.periods)
     rest = np.flatnonzero(~found)
     if not len(rest):
         return found
-    most = float(reaches[rest].max())
+    places, limits = inside[rest], reaches[rest]
+    most = float(limits.max())
     centers = domain.shifted(surface.foundation.planes.centers[faces])
     images = domain.images(most if min(domain.periods) < inf else 0.0)
-    moved = images.signs[:, None, None] * centers + images.shifts[:, None]
-    tree = KDTree(moved.reshape(-1, 2))
-    away, _ = tree.query(inside[rest], distance_upper_bound=most * (1.0 + ROUNDING))
-    found[rest] = away <= reaches[rest]
+    moved = (images.signs[:, None, None] * centers + images.shifts[:, None]).reshape(-1, 2)
+    low, high = places.min(axis=0) - most, places.max(axis=0) + most
+    moved = moved[((moved >= low) & (moved <= high)).all(axis=1)]
+    found[rest] = _least_distances(places, moved, most) <= limits
     return found
+
+
+def _least_distances(places: Floats, centers: Floats, most: float) -> Floats:
+    """(m,) to the nearest of some centers; infinite where that is farther than the most."""
+    if len(centers) > FEW:
+        from scipy.spatial import KDTree
+
+        bound = most * (1.0 + ROUNDING)
+        found = KDTree(centers).query(places, distance_upper_bound=bound)
+        return np.array(found[0], dtype=np.float64)
+    squares = np.full(len(places), inf)
+    for center in centers:
+        u, v = (places - center).T
+        np.minimum(squares, u * u + v * v, out=squares)
+    return np.sqrt(squares)

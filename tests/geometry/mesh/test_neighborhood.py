@@ -2,8 +2,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from numpy.testing import assert_allclose
+from numpy.testing import assert_allclose, assert_array_equal
 
+from plusedit.geometry.mesh import neighborhood
 from plusedit.geometry.mesh.domains import PlaneDomain
 from plusedit.geometry.mesh.evaluation import points_and_normals
 from plusedit.geometry.mesh.neighborhood import changed_faces, changed_places
@@ -121,7 +122,17 @@ def test_places_that_do_not_change_are_looked_at_once(monkeypatch):
     real = spatial.KDTree
     monkeypatch.setattr(spatial, "KDTree", lambda of, **more: sizes.append(len(of)) or real(of))
     changed_places(surface, lifted(surface, 2), places)
-    assert sizes == [1]
+    assert not sizes
+
+
+def test_one_by_one_or_by_a_tree_the_same_places_are_found(monkeypatch):
+    surface = pillow(smoothness=0.5)
+    moved = surface
+    for face in range(0, surface.mesh.face_count, 9):
+        moved = lifted(moved, face)
+    by_tree = changed_places(surface, moved, surface.vertex_places)
+    monkeypatch.setattr(neighborhood, "FEW", 10**6)
+    assert_array_equal(changed_places(surface, moved, surface.vertex_places), by_tree)
 
 
 def test_nothing_changes_where_no_plane_does():
