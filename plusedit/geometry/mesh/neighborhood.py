@@ -165,10 +165,10 @@ def _least_distances(places: Floats, centers: Floats, most: float) -> Floats:
         from scipy.spatial import KDTree
 
         bound = most * (1.0 + ROUNDING)
-        found = KDTree(centers).query(places, distance_upper_bound=bound)
-        return np.array(found[0], dtype=np.float64)
+        return np.asarray(KDTree(centers).query(places, distance_upper_bound=bound)[0])
     squares = np.full(len(places), inf)
     for center in centers:
         u, v = (places - center).T
         np.minimum(squares, u * u + v * v, out=squares)
-    return np.sqrt(squares)
+    away: Floats = np.sqrt(squares)
+    return away
