@@ -34,7 +34,7 @@ from plusedit.geometry.mesh.mesh_surface import MeshSurface
 from plusedit.geometry.mesh.preview_cones import cone_normals
 from plusedit.geometry.mesh.preview_sums import Target, solitary, sums
 
-THIN = 0.02  # of D where planes lie evenly: below, the surface is evaluated to full accuracy
+THIN = 0.1  # of D where planes lie evenly: below, the surface is evaluated to full accuracy
 
 Singles = NDArray[np.float32]
 
@@ -49,7 +49,8 @@ class Preview(NamedTuple):
 
 
 def preview(surface: MeshSurface, places: Floats) -> Preview:
-    """Points and normals at places (m, 2), the points within 1e-5 of the mesh's diagonal.
+    """Points and normals at places (m, 2), the points within 1e-5 of the mesh's diagonal, or within
+    2e-5 where S differs much from face to face.
 
     What does not depend on S, s and the edits is kept for the next call; of places also, if they
     are the same read-only array. Without numba all is to full accuracy and slow.

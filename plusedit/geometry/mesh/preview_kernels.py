@@ -23,6 +23,8 @@ from plusedit.geometry.mesh.tile_kernels import (
 
 FEW = 4  # places that choose together among the planes found for a block
 TABLE = 512  # planes collected at a time
+LONG_TABLE = 1024  # the same, for a grid
+MANY = 256  # planes, from which on they are added up by themselves
 
 
 @compiled
@@ -63,8 +65,9 @@ def fill(
     planes found for it give.
     """
     near, stack = np.empty(4), np.empty(160, np.int64)
-    table = np.empty(NUMBERS * TABLE, np.float32)
-    numbers = table.reshape(NUMBERS, TABLE)
+    table = np.empty(NUMBERS * LONG_TABLE, np.float32)
+    numbers = table.reshape(NUMBERS, LONG_TABLE)
+    partial, size = np.empty_like(grid), 4 * WIDTH * height
     known, unit, depth = scene.spreading, scene.units[group], np.float32(scene.numbers[1])
     first, last = scene.groups[group, 0], scene.groups[group, 1]
     filled = False
@@ -80,7 +83,14 @@ def fill(
                     spread_directly(table, count, depth, width, height, work, grid)
                     continue
                 least, bins, weights = known.least[step], known.bins[step], known.weights[step]
-                spread(table, count, least, bins, weights, width, height, work, grid)
+                if count < MANY:
+                    spread(table, count, least, bins, weights, width, height, work, grid)
+                    continue
+                # Sums of thousands one by one lose digits with every step.
+                partial[:size] = np.float32(0.0)
+                spread(table, count, least, bins, weights, width, height, work, partial)
+                for k in range(size):
+                    grid[k] += partial[k]
             if filled and not direct:
                 radius, edge = known.radii[step, 0], MARGIN - AFTER - known.radii[step, 1]
                 blurred(radius, known.blurs[step], edge, width, height, between, grid)
