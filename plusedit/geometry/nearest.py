@@ -13,20 +13,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from plusedit.geometry.arrays import Floats, frozen, unit
-from plusedit.geometry.chords import (
-    Chords,
-    Numbers,
-    candidates,
-    chains,
-    firsts,
-    lengths,
-    products,
-)
+from plusedit.geometry.candidates import Numbers, candidates, firsts, lengths, products
+from plusedit.geometry.chords import Chords, chains
 from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.tessellate import Axes, seen_along
 
 STEPS = 60  # a bracket shrinks below the spacing of doubles in 52 halvings
 CLOSE = 1e-9  # of the chord: Newton's method squares what is left after a step that short
+MOST = 12  # chords looked at closely; more are equally near at the center of a circle
 BLOCK = 1 << 20  # pairs of points and chords at most, at once
 
 
@@ -191,9 +185,11 @@ def segments_from_ray(start: Floats, way: Floats, heading: Floats) -> tuple[Floa
 
 def _nearest(goal: _Goal, chain: tuple[Chords, ...]) -> Floats:
     """(m,) the parameters at which the curve is nearest to each thing, by the chords."""
-    near, chords = candidates(chain, len(goal), goal.from_chords), chain[-1]
+    chords = chain[-1]
+    near = candidates(chain, len(goal), lambda *pairs: goal.from_chords(*pairs)[0]).nearest(MOST)
     row, low, high = near.row, chords.u[near.place], chords.u[near.place + 1]
-    inside, distance = _descended(goal, row, (low, high), low + near.shares * (high - low))
+    start = low + goal.from_chords(row, chords, near.place)[1] * (high - low)
+    inside, distance = _descended(goal, row, (low, high), start)
     ends = (goal.distances(row, chords.points.take(near.place + k, axis=0)) for k in (0, 1))
     distances = np.stack([distance, *ends])
     best = distances.argmin(axis=0), np.arange(len(row))

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from plusedit.geometry.arrays import Floats, unit
 from plusedit.geometry.blend import Grid
+from plusedit.geometry.candidates import TOGETHER, Numbers, lengths, levels
 from plusedit.geometry.surface import PlusSurface
 from plusedit.geometry.surface_tessellate import surface_size, surface_tessellation
 
@@ -58,6 +59,29 @@ class Cells:
         """No coordinate of the surface is larger."""
         return float(np.abs(self.middles).max() + self.radii.max())
 
+    @cached_property
+    def balls(self) -> tuple["Balls", ...]:
+        """Balls that hold the surface over some cells each: over many first, over one last."""
+        return levels(Balls(self.middles, self.radii))
+
+
+@dataclass(frozen=True, eq=False)
+class Balls:
+    """k balls, each of which holds a part of the surface."""
+
+    middles: Floats
+    """(k, 3)"""
+    strays: Floats
+    """(k,) their radii: that far the surface may lie from the middle"""
+
+    def coarser(self) -> "Balls":
+        """Balls that hold several of these each."""
+        first = np.arange(0, len(self.strays), TOGETHER)
+        count = np.diff(first, append=len(self.strays))
+        middles = np.add.reduceat(self.middles, first) / count[:, None]
+        away = lengths(self.middles - np.repeat(middles, count, axis=0))
+        return Balls(middles, np.maximum.reduceat(away + self.strays, first))
+
 
 _KEPT: "WeakKeyDictionary[PlusSurface, Cells]" = WeakKeyDictionary()
 
@@ -83,7 +107,18 @@ def _cells(surface: PlusSurface) -> Cells:
     radii = np.linalg.norm(corners - middles[:, None], axis=2).max(axis=1) + strays
     low = np.stack(np.meshgrid(u[:-1], v[:-1], indexing="ij"), axis=-1).reshape(-1, 2)
     high = np.stack(np.meshgrid(u[1:], v[1:], indexing="ij"), axis=-1).reshape(-1, 2)
-    return Cells(low, high, corners, strays, middles, radii)
+    order = _winding(len(u) - 1, len(v) - 1)
+    return Cells(*(each[order] for each in (low, high, corners, strays, middles, radii)))
+
+
+def _winding(rows: int, columns: int) -> Numbers:
+    """The order of cells in which those that follow each other lie together (Morton's)."""
+    places = np.indices((rows, columns)).reshape(2, -1)
+    code = np.zeros(rows * columns, dtype=np.intp)
+    for bit in range(max(rows, columns).bit_length()):
+        for way in (0, 1):
+            code |= ((places[way] >> bit) & 1) << (2 * bit + way)
+    return np.argsort(code)
 
 
 def _round_cells(points: Floats) -> Floats:
@@ -92,9 +127,13 @@ def _round_cells(points: Floats) -> Floats:
     return np.ascontiguousarray(np.stack(around, axis=2).reshape(-1, 4, 3))
 
 
-def from_triangles(point: Floats, corners: Floats) -> Floats:
-    """(k,) distances of a point (3,) from the triangles of cells with those corners (k, 4, 3)."""
+def from_triangles(points: Floats, corners: Floats) -> Floats:
+    """(k,) distances of points (k, 3), or one (3,), from the triangles of cells.
+
+    These have the corners (k, 4, 3).
+    """
     start, end = corners[:, EDGES[0]], corners[:, EDGES[1]]
+    point = points[..., None, :]
     way, away = end - start, point - start
     length, heading = np.linalg.norm(way, axis=2), unit(way)
     along = np.clip(np.einsum("kid,kid->ki", away, heading), 0.0, length)

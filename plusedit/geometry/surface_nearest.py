@@ -11,22 +11,16 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from plusedit.geometry.arrays import Floats, frozen, unit
-from plusedit.geometry.nearest import from_ray, segments_from_ray
+from plusedit.geometry.candidates import candidates, firsts, sifted
 from plusedit.geometry.surface import PlusSurface
-from plusedit.geometry.surface_cells import (
-    EDGES,
-    Cells,
-    Piercings,
-    cells_of,
-    from_triangles,
-    piercings,
-)
+from plusedit.geometry.surface_cells import Cells, Piercings, cells_of, piercings
 from plusedit.geometry.surface_descent import Goal, PointGoal, RayGoal, least_in_boxes
 
 CANDIDATES = 24  # cells looked at closely
 STEPS = 8  # of Newton's method, which doubles the digits with each
 CLOSE = 3e-8  # of the size: that near to a ray, Newton's next step is exact
 FAR = 2.0  # cells: a hit that far from where it was looked for is on another layer
+BLOCK = 1 << 18  # pairs of points and cells at most, at once
 TIES = 4  # layers of a surface closer together than the triangles can tell apart
 
 
@@ -65,7 +59,7 @@ def hit_by_ray(surface: PlusSurface, origin: ArrayLike, direction: ArrayLike) ->
         along = np.where(along + shift >= 0.0, along, np.inf)
         best = along.argmin()
         if np.isfinite(along[best]):
-            u, v = _in_period(surface, places[best])
+            u, v = _in_period(surface, places[best]).tolist()
             return RayHit(u, v, near + along[best] * heading, float(along[best]) + shift)
         # All of these turned out to lie just behind the origin.
         left = left[count:]
@@ -79,11 +73,15 @@ def nearest_on_surface(surface: PlusSurface, point: ArrayLike) -> tuple[float, f
     Raises ValueError if a number is not finite.
     """
     at = frozen(point, shape=(3,), name="point")
-    cells = cells_of(surface)
-    bound = np.linalg.norm(cells.middles - at, axis=1)
-    rows = np.flatnonzero(bound - cells.radii <= (bound + cells.radii).min())
-    distances = from_triangles(at, cells.corners[rows])
-    return _nearest(surface, PointGoal(surface, at), cells, rows, distances)
+    u, v = nearest_places(surface, at[None])[0]
+    return float(u), float(v)
+
+
+def nearest_places(surface: PlusSurface, points: Floats) -> Floats:
+    """(m, 2) what `nearest_on_surface` says for each of some finite points (m, 3)."""
+    step = max(1, BLOCK // len(cells_of(surface).low))
+    goals = [PointGoal(surface, points[i : i + step]) for i in range(0, len(points), step)]
+    return np.concatenate([np.zeros((0, 2)), *(_nearest(surface, goal) for goal in goals)])
 
 
 def nearest_to_ray(
@@ -96,14 +94,8 @@ def nearest_to_ray(
     hit = hit_by_ray(surface, origin, direction)
     if hit is not None:
         return hit.u, hit.v
-    start, heading = _ray(origin, direction)
-    cells = cells_of(surface)
-    bound = from_ray(cells.middles - start, heading)
-    rows = np.flatnonzero(bound - cells.radii <= (bound + cells.radii).min())
-    first, last = (cells.corners[rows][:, ends].reshape(-1, 3) for ends in EDGES)
-    distances, _ = segments_from_ray(first - start, last - first, heading)
-    distances = distances.reshape(len(rows), -1).min(axis=1)
-    return _nearest(surface, RayGoal(surface, start, heading), cells, rows, distances)
+    u, v = _nearest(surface, RayGoal(surface, *_ray(origin, direction)))[0]
+    return float(u), float(v)
 
 
 def _ray(origin: ArrayLike, direction: ArrayLike) -> tuple[Floats, Floats]:
@@ -172,23 +164,16 @@ def _inside(surface: PlusSurface, places: Floats) -> Floats:
     return np.where(open_ways, np.clip(kept, 0.0, 1.0), kept)
 
 
-def _in_period(surface: PlusSurface, place: Floats) -> tuple[float, float]:
+def _in_period(surface: PlusSurface, places: Floats) -> Floats:
     """From 0 to 1, below 1 where the surface closes."""
-    u, v = (
-        float(value) % 1.0 if closed else float(value)
-        for value, closed in zip(place, surface.closed, strict=True)
-    )
-    return u, v
+    return np.where(np.array(surface.closed), places % 1.0, places)
 
 
-def _nearest(
-    surface: PlusSurface, goal: Goal, cells: Cells, rows: NDArray[np.intp], distances: Floats
-) -> tuple[float, float]:
-    """The best place over those cells; `distances` are those of their triangles."""
-    strays = cells.strays[rows]
-    close = np.flatnonzero(distances - strays <= (distances + strays).min())
-    if len(close) > CANDIDATES:
-        close = close[np.argpartition(distances[close], CANDIDATES - 1)[:CANDIDATES]]
-    low, high = cells.low[rows[close]], cells.high[rows[close]]
-    places, values = least_in_boxes(goal, low, high, (low + high) / 2.0)
-    return _in_period(surface, places[values.argmin()])
+def _nearest(surface: PlusSurface, goal: Goal) -> Floats:
+    """(m, 2) the best place for each thing."""
+    cells = cells_of(surface)
+    held = candidates(cells.balls, len(goal), goal.from_balls)
+    close = sifted(held.row, cells, held.place, goal.from_cells).nearest(CANDIDATES)
+    low, high = cells.low[close.place], cells.high[close.place]
+    places, values = least_in_boxes(goal, close.row, low, high, (low + high) / 2.0)
+    return _in_period(surface, places[np.lexsort((values, close.row))[firsts(close.row)]])

@@ -4,11 +4,8 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
-from plusedit.geometry.chords import MOST, Chords, candidates, chains
-from plusedit.geometry.standard import elliptic_arc
+from plusedit.geometry.chords import Chords, chains
 from tests.geometry.curves import KINDS, random_curve
 
 SLACK = 1.1  # a curve is sampled to find out how far it strays
@@ -21,13 +18,6 @@ def from_segments(points, chords):
     shares = np.linspace(0.0, 1.0, 201)[:, None, None]
     places = (1.0 - shares) * chords.points[:-1] + shares * chords.points[1:]
     return np.array([np.linalg.norm(places - point, axis=2).min(axis=0) for point in points])
-
-
-def looked_for(curve, points):
-    chain = chains(curve, None)
-    return chain[-1], candidates(
-        chain, len(points), lambda row, chords, place: chords.from_points(points[row], place)
-    )
 
 
 @smooth_kinds
@@ -64,23 +54,3 @@ def test_distances_from_a_chord_are_those_of_its_nearest_place():
     assert (distances >= looked_at - 1e-2).all()
     there = chords.points[place] + shares[:, None] * chords.ways[place]
     np.testing.assert_allclose(np.linalg.norm(points[row] - there, axis=1), distances)
-
-
-@given(st.sampled_from(KINDS), st.integers(0, 10**6), st.integers(1, 60))
-def test_of_all_chords_the_nearest_are_found(kind, seed, count):
-    curve = random_curve(kind, seed=seed)
-    points = np.random.default_rng(seed).normal(0.0, 2.0, (count, 2))
-    chords, found = looked_for(curve, points)
-    row, place = (each.ravel() for each in np.indices((count, len(chords))))
-    distances = chords.from_points(points[row], place)[0].reshape(count, len(chords))
-    assert np.array_equal(np.unique(found.row), np.arange(count))
-    assert (np.diff(found.row) >= 0).all()
-    pairs = set(zip(found.row.tolist(), found.place.tolist(), strict=True))
-    assert {(k, int(best)) for k, best in enumerate(distances.argmin(axis=1))} <= pairs
-
-
-def test_of_chords_that_are_all_as_near_a_few_are_taken():
-    circle = elliptic_arc([0.0, 0.0], [1.0, 0.0], [0.0, 1.0])
-    chords, found = looked_for(circle, np.zeros((3, 2)))
-    assert len(chords) > MOST
-    assert np.bincount(found.row).tolist() == [MOST] * 3

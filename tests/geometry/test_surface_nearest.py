@@ -6,6 +6,8 @@ from weakref import ref
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 
 from plusedit.geometry.making.primitives import exact_sphere, sheet, torus, tube
@@ -13,9 +15,14 @@ from plusedit.geometry.planes import ControlPlanes
 from plusedit.geometry.surface import PlusSurface
 from plusedit.geometry.surface_cells import cells_of
 from plusedit.geometry.surface_cells import from_triangles as from_cells
-from plusedit.geometry.surface_nearest import hit_by_ray, nearest_on_surface, nearest_to_ray
+from plusedit.geometry.surface_nearest import (
+    hit_by_ray,
+    nearest_on_surface,
+    nearest_places,
+    nearest_to_ray,
+)
 from plusedit.geometry.surface_transforms import transposed
-from tests.geometry.surfaces import PAIRS, a_surface, random_surface
+from tests.geometry.surfaces import PAIRS, a_surface, random_surface, surfaces
 from tests.geometry.triangles import from_triangles
 
 every_pair = pytest.mark.parametrize("pair", PAIRS, ids="/".join)
@@ -66,6 +73,40 @@ def test_no_sample_is_nearer_than_the_nearest_point(pair, contrast):
     for point in [*near, *random.uniform(-3.0, 3.0, (5, 3))]:
         found = np.linalg.norm(at(surface, nearest_on_surface(surface, point)) - point)
         assert found <= np.linalg.norm(points - point, axis=1).min() + 1e-12
+
+
+@given(surfaces(least=4), st.integers(0, 10**6))
+def test_of_many_points_none_has_a_sample_nearer_than_its_place(surface, seed):
+    random = np.random.default_rng(seed)
+    points = 10.0 ** random.uniform(-1.0, 1.5, (30, 1)) * random.normal(size=(30, 3))
+    found = surface.derivatives_at(nearest_places(surface, points), highest=0)[0]
+    distances = np.linalg.norm(found - points, axis=1)
+    everywhere = samples(surface, 101)
+    least = [np.linalg.norm(everywhere - point, axis=1).min() for point in points]
+    assert (distances <= np.array(least) * (1.0 + 1e-9) + 1e-12).all()
+
+
+@given(surfaces(least=4), st.integers(0, 10**6))
+def test_many_points_are_as_near_as_each_alone(surface, seed):
+    points = np.random.default_rng(seed).normal(0.0, 2.0, (5, 3))
+    together = surface.derivatives_at(nearest_places(surface, points), highest=0)[0]
+    for point, found in zip(points, together, strict=True):
+        alone = np.linalg.norm(at(surface, nearest_on_surface(surface, point)) - point)
+        assert_allclose(np.linalg.norm(found - point), alone, rtol=1e-9)
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_where_a_surface_turns_back_on_itself_nothing_is_missed(seed):
+    surface = random_surface("bezier", "closed", shape=(2, 2), s=0.0, seed=seed)
+    points = np.random.default_rng(seed).normal(0.0, 0.5, (50, 3))
+    found = surface.derivatives_at(nearest_places(surface, points), highest=0)[0]
+    everywhere = samples(surface, 101)
+    least = [np.linalg.norm(everywhere - point, axis=1).min() for point in points]
+    assert (np.linalg.norm(found - points, axis=1) <= np.array(least) * (1.0 + 1e-9)).all()
+
+
+def test_no_points_have_no_places():
+    assert nearest_places(a_surface(), np.zeros((0, 3))).shape == (0, 2)
 
 
 @every_pair
