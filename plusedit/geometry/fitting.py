@@ -1,38 +1,27 @@
 """A B-spline+ curve fitted to many points in their order.
 
-For given parameters of the points the curve is linear in its control points P and gradients g,
-so both come from one least squares problem. Several P and g make the same curve (adding one
-vector to all gradients changes nothing), and of those the nearest to
-
-    P_i = f(x_i),   g_i = f'(x_i) / 2
-
-is taken, f being the chain of the given points: exact for a quadratic f, and lines that can be
-edited, for they lie along the curve. The parameters, by length at first, are then moved to the
-feet of the points, and lines are added where the curve is still too far away. With the fewest lines
-that do, their points may have to lie far from the curve; a few more than these are tried, so that
-they lie along it. In the end, of the curves that are near enough, the one is taken whose lines
-stray least from where they began.
+The parameters of the points, by length at first, are moved to their feet on the curve of least
+squares, and lines are added where it is still too far away. With the fewest lines that do, their
+points may have to lie far from the curve; a few more than these are tried, so that they lie along
+it. In the end, of the curves that are near enough, the one is taken whose lines stray least from
+where they began.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from plusedit.geometry.approximation import Task, approximated, curve_of_gradients, solved
 from plusedit.geometry.arrays import Floats, frozen
-from plusedit.geometry.bases import Basis
 from plusedit.geometry.bases.bspline import BSpline
 from plusedit.geometry.curve import PlusCurve
-from plusedit.geometry.lines import ControlLines
-from plusedit.geometry.local_squares import LocalMatrix, normal_solver
-from plusedit.geometry.magnitude import polygon_length
 
-CORRECTIONS = 3  # of the parameters, for one set of knots
+__all__ = ["Fitted", "curve_of_gradients", "fit_bspline_plus", "parameters_by_length"]
+
 FEET = 4  # steps toward the feet of the points in the end
-STRETCH = 3.0  # how much faster or slower than by length a parameter may run
-REFINEMENTS = 3  # steps that make up for the reluctance where it is not asked for
 RELUCTANCES = (1e-1, 3e-2, 1e-2, 3e-3, 1e-3, 1e-4, 1e-5)  # to leave the guess, tried in turn
 EASY = 1e-4  # a reluctance with which lines still lie along the curve
 MORE = 1.5  # times as many lines as the fewest are given for that at most
@@ -101,25 +90,12 @@ def fit_bspline_plus(
     return _fitted_closed(data, tolerance, order)
 
 
-@dataclass(frozen=True, eq=False)
-class _Task:
-    """Points, their parameters, and lines that are not free to leave theirs."""
-
-    data: Floats
-    u: Floats
-    steps: Floats
-    """of the parameters, when they are even in the length of the chain"""
-    pinned: tuple[int, ...] = ()
-    """numbers of the points that the curve meets at their parameters"""
-    closed: bool = False
-
-
 def _fitted_open(data: Floats, tolerance: float, order: int, corners: list[int]) -> Fitted:
     data, corners = _with_edges_filled(data, corners, 2 * order)
     u = parameters_by_length(data)
     at, first = np.unique(u[corners], return_index=True)
     inner = [corners[i] for i in first[(at > 0.0) & (at < 1.0)]]
-    task = _Task(data, u, np.diff(u), (0, *inner, len(data) - 1))
+    task = Task(data, u, np.diff(u), (0, *inner, len(data) - 1))
     knots = np.repeat(u[inner], order - 1)
     search = _Search(tolerance)
     for _ in range(ROUNDS):
@@ -137,7 +113,7 @@ def _fitted_open(data: Floats, tolerance: float, order: int, corners: list[int])
 
 def _fitted_closed(data: Floats, tolerance: float, order: int) -> Fitted:
     u = parameters_by_length(np.concatenate([data, data[:1]]))
-    task = _Task(data, u[:-1], np.diff(u), closed=True)
+    task = Task(data, u[:-1], np.diff(u), closed=True)
     size = FIRST
     search = _Search(tolerance)
     for _ in range(ROUNDS):
@@ -156,21 +132,21 @@ class _Search:
 
     def __init__(self, tolerance: float) -> None:
         self._tolerance = tolerance
-        self._fewest: tuple[PlusCurve, _Task] | None = None
+        self._fewest: tuple[PlusCurve, Task] | None = None
         """the first that is near enough, wherever its lines lie"""
-        self._last: tuple[PlusCurve, _Task] | None = None
+        self._last: tuple[PlusCurve, Task] | None = None
         self.is_over = False
 
-    def tried(self, basis: BSpline, task: _Task) -> tuple[_Task, Floats]:
+    def tried(self, basis: BSpline, task: Task) -> tuple[Task, Floats]:
         """The task with parameters corrected for that basis, and how far the points still are."""
-        curve, task = _fitted(basis, task, self._tolerance)
+        curve, task = approximated(basis, task, self._tolerance)
         self._last = curve, task
-        distance = _distances(curve, task)
+        distance = task.distances(curve)
         if distance.max() > self._tolerance:
             return task, distance
         if self._fewest is None:
             self._fewest = self._last
-        distance = _distances(_solved(basis, task, EASY), task)
+        distance = task.distances(solved(basis, task, EASY))
         if distance.max() <= self._tolerance:
             self._fewest, self.is_over = self._last, True
         elif basis.size >= MORE * len(self._fewest[0].lines):
@@ -184,146 +160,24 @@ class _Search:
         return _judged(*taken, self._tolerance)
 
 
-def _calmed(basis: BSpline, task: _Task, enough: float) -> PlusCurve | None:
+def _calmed(basis: BSpline, task: Task, enough: float) -> PlusCurve | None:
     """The curve that leaves its guess most unwillingly and is near enough; None if none is."""
     for reluctance in RELUCTANCES:
-        curve = _solved(basis, task, reluctance)
-        if _distances(curve, task).max() <= enough:
+        curve = solved(basis, task, reluctance)
+        if task.distances(curve).max() <= enough:
             return curve
     return None
 
 
-def _judged(curve: PlusCurve, task: _Task, tolerance: float) -> Fitted:
-    enough = max(tolerance, float(_distances(curve, task).max()))
+def _judged(curve: PlusCurve, task: Task, tolerance: float) -> Fitted:
+    enough = max(tolerance, float(task.distances(curve).max()))
     assert isinstance(curve.basis, BSpline)
     curve = _calmed(curve.basis, task, enough) or curve
-    distance = _distances(curve, task)
+    distance = task.distances(curve)
     for _ in range(FEET):
-        task = replace(task, u=_feet(curve, task))
-        distance = np.minimum(distance, _distances(curve, task))
+        task = task.nearer(curve)
+        distance = np.minimum(distance, task.distances(curve))
     return Fitted(curve, float(distance.max()), float(np.sqrt((distance**2).mean())))
-
-
-def _fitted(basis: BSpline, task: _Task, tolerance: float) -> tuple[PlusCurve, _Task]:
-    """The curve of that basis, and the task with parameters corrected for it."""
-    curve = _solved(basis, task)
-    for _ in range(CORRECTIONS):
-        task = _corrected(curve, task)
-        if _distances(curve, task).max() <= tolerance:
-            break
-        curve = _solved(basis, task)
-    return curve, task
-
-
-def _solved(basis: BSpline, task: _Task, reluctance: float | None = None) -> PlusCurve:
-    """The curve of least squares for the parameters as they are.
-
-    With a reluctance the lines stay nearer to their guess, and the curve farther from the points.
-    """
-    reach = _widths(basis)
-    guess = _guess(basis, task, reach)
-    pinned = [int(np.abs(basis.nodes - task.u[index]).argmin()) for index in task.pinned]
-    guess[pinned, 0] = task.data[list(task.pinned)]
-    matrix = _matrix(basis, task.u, reach)
-    # A point that is pinned has no entries, and so no reason to leave the guess.
-    held = np.zeros(matrix.count, dtype=np.bool_)
-    held[2 * np.array(pinned, dtype=np.intp)] = True
-    free = replace(matrix, entries=np.where(held[matrix.columns], 0.0, matrix.entries))
-    solve = normal_solver(free) if reluctance is None else normal_solver(free, reluctance)
-    unknowns = guess.reshape(matrix.count, -1)
-    for _ in range(REFINEMENTS if reluctance is None else 1):
-        unknowns = unknowns + solve(free.transposed_times(task.data - matrix @ unknowns))
-    return curve_of_gradients(basis, unknowns[::2], unknowns[1::2] / reach[:, None])
-
-
-def _matrix(basis: BSpline, u: Floats, reach: Floats) -> LocalMatrix:
-    """What P_0, g_0, P_1, g_1, ... contribute to the points at u.
-
-    A gradient counts as what it moves the curve by, g times reach: in the unit of the points.
-    """
-    values, reaches = basis.banded(u)
-    pull = reaches.entries / reach[reaches.columns]
-    columns = np.stack([2 * values.columns, 2 * values.columns + 1], axis=2)
-    entries = np.stack([values.entries, pull], axis=2)
-    shape = (len(u), 2 * basis.order)
-    return LocalMatrix(columns.reshape(shape), entries.reshape(shape), 2 * basis.size, basis.closed)
-
-
-def curve_of_gradients(basis: Basis, points: Floats, gradients: Floats) -> PlusCurve:
-    """The curve with half the length of its polygon for s, as the scale of directions."""
-    still = PlusCurve(basis, ControlLines.of(points, gradients))
-    s = polygon_length(still) / 2.0 or 1.0
-    return replace(still, lines=still.lines.with_directions(gradients / s), s=s)
-
-
-def _widths(basis: BSpline) -> Floats:
-    """(n,) how far a function reaches: the mean length of its spans."""
-    if basis.closed:
-        return np.full(basis.size, 1.0 / basis.size)
-    knots, order = basis.knot_vector, basis.order
-    widths: Floats = (knots[order:] - knots[:-order]) / order
-    return widths
-
-
-def _guess(basis: BSpline, task: _Task, reach: Floats) -> Floats:
-    """(n, 2, dim) the points f(x_i) with the gradients f'(x_i) / 2 times the reach."""
-    x = basis.nodes
-    before, after = x - reach / 2.0, x + reach / 2.0
-    if not task.closed:
-        # On one side of a corner nothing is known of the other.
-        bounds = task.u[list(task.pinned)]
-        section = np.clip(np.searchsorted(bounds, x, side="right") - 1, 0, len(bounds) - 2)
-        before, after = np.maximum(before, bounds[section]), np.minimum(after, bounds[section + 1])
-    rise = _chain(task, after) - _chain(task, before)
-    slopes = rise / (after - before)[:, None] / 2.0
-    return np.stack([_chain(task, x), slopes * reach[:, None]], axis=1)
-
-
-def _chain(task: _Task, x: Floats) -> Floats:
-    """(n, dim) f: the chain of the points, at parameters x."""
-    period = 1.0 if task.closed else None
-    rows = [np.interp(x, task.u, coordinate, period=period) for coordinate in task.data.T]
-    return np.stack(rows, axis=1)
-
-
-def _corrected(curve: PlusCurve, task: _Task) -> _Task:
-    """The task with parameters moved toward the feet of the points, in the same order."""
-    u = _feet(curve, task)
-    if task.closed:
-        steps = _tamed(np.diff(u, append=u[0] + 1.0), task.steps)
-        return replace(task, u=u[0] + np.concatenate([[0.0], np.cumsum(steps[:-1])]))
-    for start, stop in pairwise(task.pinned):
-        steps = _tamed(np.diff(u[start : stop + 1]), task.steps[start:stop])
-        u[start + 1 : stop] = u[start] + np.cumsum(steps[:-1])
-    return replace(task, u=u)
-
-
-def _feet(curve: PlusCurve, task: _Task) -> Floats:
-    """(m,) parameters nearer to the feet of the points; the pinned ones as they are."""
-    at, velocity = curve.derivatives(task.u, highest=1)
-    speed = (velocity * velocity).sum(axis=1)
-    ahead = ((task.data - at) * velocity).sum(axis=1)
-    u: Floats = task.u + np.divide(ahead, speed, out=np.zeros_like(ahead), where=speed > 0.0)
-    pinned = list(task.pinned)
-    u[pinned] = task.u[pinned]
-    return u
-
-
-def _tamed(steps: Floats, usual: Floats) -> Floats:
-    """Steps of the parameter, none much shorter or longer than by length, with the same sum.
-
-    The feet on a curve that is still far away would bring whole stretches of points together.
-    """
-    tamed: Floats = np.clip(steps, usual / STRETCH, usual * STRETCH)
-    total = float(tamed.sum())
-    if total > 0.0:
-        tamed *= float(steps.sum()) / total
-    return tamed
-
-
-def _distances(curve: PlusCurve, task: _Task) -> Floats:
-    distances: Floats = np.linalg.norm(curve.at(task.u) - task.data, axis=1)
-    return distances
 
 
 def _divided(breaks: Floats, u: Floats, distance: Floats, tolerance: float) -> Floats:
