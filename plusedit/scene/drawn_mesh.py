@@ -23,6 +23,7 @@ from plusedit.scene.moved_meshes import moved_drawing
 KEPT = 24  # drawings, and small ones beyond
 KEPT_POINTS = 2_000_000  # of all that are kept
 AT_ONCE = 2_000_000  # planes at places that are evaluated in the time of a frame
+AWAITED = 100_000_000  # and in about a second
 WIDE = 700.0  # planes that are within reach of a place, for S = 1
 NEAR = 60.0  # and for a small S
 
@@ -45,14 +46,18 @@ def drawing_of(surface: MeshSurface, *, wait: bool = True) -> MeshDrawing:
     """The surface as it is drawn.
 
     Without `wait` only what is known by now: the surface before the last change, or the mesh
-    itself, where it has not been evaluated.
+    itself, where it has not been evaluated. With it evaluated to full accuracy, or where that would
+    take more than about a second so nearly that no picture tells.
     """
     known = known_drawing(surface)
     if known is not None and (known.is_exact or not wait):
         return known
-    if wait:
-        return keep(surface, evaluated(surface, known_before(surface)))
-    return _stand_in(surface)
+    if not wait:
+        return _stand_in(surface)
+    before = known_before(surface)
+    if before is None and len(net_of(surface).places) * _planes_near(surface) > AWAITED:
+        return known or keep(surface, previewed(surface))
+    return keep(surface, evaluated(surface, before))
 
 
 def known_drawing(surface: MeshSurface) -> MeshDrawing | None:
@@ -131,11 +136,16 @@ def previewed(surface: MeshSurface, before: Known | None = None) -> MeshDrawing:
     from plusedit.geometry.mesh.preview import preview
 
     rows = None if before is None else _changed(surface, before)
-    near = NEAR + WIDE * surface.smoothness**2
+    near = _planes_near(surface)
     if before is not None and rows is not None and near * len(rows) <= AT_ONCE:
         return _patched(surface, before.drawing, rows)
     net = net_of(surface)
     return MeshDrawing.of(net, *preview(surface, net.places), exact=False)
+
+
+def _planes_near(surface: MeshSurface) -> float:
+    """How many planes, and images of them, count at a place to full accuracy, about."""
+    return NEAR + WIDE * surface.smoothness**2
 
 
 def _changed(surface: MeshSurface, before: Known) -> NDArray[np.intp] | None:

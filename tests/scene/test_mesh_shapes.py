@@ -127,6 +127,16 @@ def test_a_quick_drawing_does_for_a_moment_and_gives_way_to_the_exact_one():
     assert drawing_of(surface).is_exact
 
 
+def test_pictures_do_not_wait_for_digits_that_no_one_sees(monkeypatch):
+    monkeypatch.setattr(drawn_mesh, "AWAITED", 1)
+    surface = a_hill(s=0.9)
+    drawing = drawing_of(surface)
+    assert not drawing.is_exact
+    exact = surface.at(drawing.net.places)
+    assert_allclose(drawing.points, exact, atol=1e-5 * surface.mesh.diagonal)
+    assert drawing_of(surface) is drawing
+
+
 @pytest.mark.parametrize("made", [a_hill, torus])
 def test_a_surface_moved_as_a_whole_is_drawn_at_once(made):
     surface = made(s=0.8)
