@@ -1,7 +1,9 @@
 """Everything the window can do, in one table: menus, tool bar, palette, shortcuts and help read it.
 
-A key without Ctrl or Alt, and every arrow key, belongs to the view: its shortcut works where the
-view has the focus and nowhere else, so that a letter typed into a field is a letter.
+Letters and other signs act in the whole window: fields that are typed into take them first, and
+widgets that need one for themselves say so (`OwnKeys`). Keys that every list and field has a use
+for, such as arrows, Tab and Delete, belong to the view: their shortcuts work where it has the focus
+and nowhere else.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
@@ -129,7 +131,7 @@ class ActionTable:
 
 
 def belongs_to_view(keys: QKeySequence) -> bool:
-    """Whether a shortcut would get in the way of typing, or of arrow keys in lists and fields."""
+    """Whether lists and fields have a use of their own for a key: a cursor goes by it, say."""
     if keys.isEmpty():
         return False
     first: QKeyCombination = keys[0]  # type: ignore[index]
@@ -137,7 +139,12 @@ def belongs_to_view(keys: QKeySequence) -> bool:
     if key in ARROWS:
         return True
     is_function_key = Qt.Key.Key_F1 <= key <= Qt.Key.Key_F35
-    return not is_function_key and not first.keyboardModifiers() & COMMANDING
+    return not (is_function_key or is_sign(key) or first.keyboardModifiers() & COMMANDING)
+
+
+def is_sign(key: int) -> bool:
+    """Whether a key writes a letter, a digit or another sign that is seen."""
+    return Qt.Key.Key_Space < key < Qt.Key.Key_Escape
 
 
 def conflicts(shortcuts: Mapping[str, Iterable[str]]) -> dict[str, list[str]]:

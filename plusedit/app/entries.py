@@ -249,7 +249,12 @@ def help_entries(window: "MainWindow") -> Iterator[Entry]:
 
 
 def _begins(window: "MainWindow", drag: str) -> Callable[[], None]:
-    return lambda: window.gestures.begin(drag, window.panes.active.pointer)
+    def begin() -> None:
+        # The keys that follow, such as digits and Enter, are for the drag.
+        window.panes.focus()
+        window.gestures.begin(drag, window.panes.active.pointer)
+
+    return begin
 
 
 def _performs(window: "MainWindow", action: EditAction) -> Callable[[], None]:

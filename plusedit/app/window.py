@@ -43,6 +43,7 @@ from plusedit.app.start_page import StartPage
 from plusedit.app.status import Status
 from plusedit.app.sweep import Sweep
 from plusedit.app.toolbar import make_toolbar
+from plusedit.app.view_keys import ViewKeys
 from plusedit.app.view_state import ViewState, look_of_program
 from plusedit.document.session import Session
 from plusedit.geometry.surface import PlusSurface
@@ -126,6 +127,7 @@ class MainWindow(QMainWindow):
 
     def _add_actions(self) -> None:
         self.actions_table = ActionTable(self, self.panes)
+        self._view_keys = ViewKeys(self, self.panes)
         self.actions_table.add(all_entries(self))
         self.actions_table.add(
             Entry(

@@ -17,6 +17,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from plusedit.scene.theme import LIGHT, Theme
+from plusedit.views.own_keys import OwnKeys
 
 STEP = 0.01  # of L, for a key or a notch of the wheel
 PAUSE = 400  # milliseconds after the last notch or key before the edit is one step
@@ -115,6 +116,7 @@ class MagnitudeSlider(QWidget):
     def __init__(self, scale: Scale = OF_LENGTH) -> None:
         super().__init__()
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self._own_keys = OwnKeys(self, KEYS)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.set_scale(scale)
         self.theme: Theme = LIGHT

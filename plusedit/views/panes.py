@@ -9,7 +9,6 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, TypeAlias
 
 from PySide6.QtCore import QEvent, QObject, QPoint, Qt, Signal
-from PySide6.QtGui import QAction, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QSplitter, QWidget
 
 from plusedit.document.session import Session
@@ -231,27 +230,6 @@ class Panes(QSplitter):
 
     def _moved_in_space(self, x: float, y: float, z: float) -> None:
         self.pointer_moved.emit(((0, x), (1, y), (2, z)))
-
-    def event(self, event: QEvent) -> bool:
-        # Keys of the number pad come here from the view: on X11 Qt takes "Num+7" for "7" when it
-        # looks for shortcuts, and Ctrl with a digit of the pad would show other panes.
-        kinds = (QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress)
-        if event.type() in kinds and isinstance(event, QKeyEvent):
-            action = self._of_number_pad(event)
-            if action is not None:
-                if event.type() == QEvent.Type.KeyPress:
-                    action.trigger()
-                event.accept()
-                return True
-        return super().event(event)
-
-    def _of_number_pad(self, event: QKeyEvent) -> QAction | None:
-        """What a key of the number pad stands for, if for anything."""
-        if not event.modifiers() & Qt.KeyboardModifier.KeypadModifier:
-            return None
-        keys = QKeySequence(event.keyCombination())
-        actions = (*self.actions(), *self.window().actions())
-        return next((a for a in actions if a.isEnabled() and keys in a.shortcuts()), None)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() in (QEvent.Type.Enter, QEvent.Type.FocusIn) and not self.hands.is_held:

@@ -19,6 +19,7 @@ from plusedit.scene.parameter_items import cell_items, circle_items, rim_items
 from plusedit.scene.parameter_sheet import ParameterSheet
 from plusedit.scene.theme import LIGHT, Theme
 from plusedit.views.notices import paint_empty
+from plusedit.views.own_keys import OwnKeys
 from plusedit.views.painter import ItemPainter, color_of, painting
 from plusedit.views.parameter_picture import ParameterPicture
 from plusedit.views.plane_view import PlaneView
@@ -64,6 +65,7 @@ class ParameterView(PlaneView):
         self.picture.ready.listen(self._arrived)
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setMinimumSize(160, 120)
+        self._own_keys = OwnKeys(self, {Qt.Key.Key_F, *ZOOMING})
         self.setAccessibleName("Parameters")
         self.setAccessibleDescription("The faces of the selected mesh in its parameters u and v")
 

@@ -39,14 +39,14 @@ def test_every_shortcut_is_a_key(table):
 
 
 @pytest.mark.parametrize(
-    "keys", ["V", "Delete", "Shift+H", "[", "Tab", "Left", "Ctrl+Left", "Home"]
+    "keys", ["Delete", "Backspace", "Tab", "Left", "Ctrl+Left", "Home", "PgUp", "Space"]
 )
-def test_keys_that_are_typed_or_move_a_cursor_belong_to_the_view(keys):
+def test_keys_that_lists_and_fields_use_belong_to_the_view(keys):
     assert belongs_to_view(QKeySequence(keys))
 
 
-@pytest.mark.parametrize("keys", ["Ctrl+S", "F1", "Ctrl+Shift+P", "Alt+Home", ""])
-def test_keys_that_nobody_types_belong_to_the_window(keys):
+@pytest.mark.parametrize("keys", ["Ctrl+S", "F1", "Alt+Home", "", "V", "Shift+H", "[", "Num+7"])
+def test_signs_and_keys_that_nobody_types_belong_to_the_window(keys):
     assert not belongs_to_view(QKeySequence(keys))
 
 

@@ -22,6 +22,7 @@ from plusedit.views.line_columns import Column, columns_for
 from plusedit.views.line_form import element_name
 from plusedit.views.live import LiveWidget, quiet
 from plusedit.views.look import tabular
+from plusedit.views.own_keys import OF_NUMBERS, OwnKeys
 from plusedit.views.panels import panel
 
 Index = QModelIndex | QPersistentModelIndex
@@ -195,6 +196,7 @@ class LinesTable(LiveWidget):
         self.table = QTableView()
         self.table.setModel(self.model)
         self.table.setAccessibleName("control lines")
+        self._own_keys = OwnKeys(self.table, {Qt.Key.Key_F2, *OF_NUMBERS})
         self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.table.setFont(tabular(self.table.font()))
         self.table.setShowGrid(False)

@@ -17,6 +17,7 @@ from plusedit.document.shape import ShapeId
 from plusedit.geometry.arrays import Floats
 from plusedit.views.desk import Desk
 from plusedit.views.live import LiveWidget, quiet
+from plusedit.views.own_keys import OwnKeys
 from plusedit.views.panels import panel
 from plusedit.views.shape_rows import ShapeRows, Switch, switch_at
 from plusedit.views.shapes_model import ShapesModel
@@ -38,6 +39,7 @@ class ShapeList(QListView):
         self.setItemDelegate(ShapeRows(desk, model, self))
         self.setAccessibleName("shapes")
         self.setMouseTracking(True)
+        self._own_keys = OwnKeys(self, {Qt.Key.Key_F2})
         self.setUniformItemSizes(True)
         self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         self.setDragDropMode(QAbstractItemView.DragDropMode.InternalMove)
@@ -75,8 +77,11 @@ class ShapeList(QListView):
         is_delete = event.matches(QKeySequence.StandardKey.Delete)
         if is_delete or event.key() == Qt.Key.Key_Backspace:
             self._delete()
-            return
-        super().keyPressEvent(event)
+        elif event.text().isprintable() and event.text().strip():
+            # Signs are for the views, not for a search among names.
+            event.ignore()
+        else:
+            super().keyPressEvent(event)
 
     def _switched(self, event: QMouseEvent) -> bool:
         at = event.position().toPoint()
