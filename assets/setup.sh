@@ -220,6 +220,8 @@ install_program() {
     --editable "$project${extra:+[$extra]}" >"$scratch/pip.log" 2>&1 ||
     explain "$scratch/pip.log" "installing the Python packages"
   echo "$wanted" >"$venv/installed${extra:+-$extra}"
+  # Loops for meshes take half a minute to compile, which nobody should wait for.
+  [ -n "$extra" ] || nice "$venv/bin/python" -m plusedit.geometry.mesh.preparation >/dev/null 2>&1 9<&- &
 }
 
 # stamped EXTRA WANTED: whether the program is there; the tests' packages include the program's.
