@@ -13,16 +13,15 @@ from plusedit.document.design import EditError
 from plusedit.document.selection import Selection
 from plusedit.document.session import Session
 from plusedit.events import Event
+from plusedit.interaction.dragging import Dragging
 from plusedit.interaction.modal import modal_drags
-from plusedit.interaction.running import USUAL_REACH, Running, means_something
+from plusedit.interaction.running import means_something
 from plusedit.interaction.tool import (
-    Drag,
     Feedback,
     Held,
     NewCurves,
     Outcome,
     Pointer,
-    Shown,
     Stage,
     Tool,
     tools,
@@ -51,9 +50,9 @@ class Gestures:
         self._tool_name = tool
         self._tool: Tool = tools[tool]()
         self._pressed: Pointer | None = None
-        self._running: Running | None = None
         self._pointer: Pointer | None = None
-        self._reach = USUAL_REACH
+        self._dragging = Dragging(session, self.feedback, self.panned)
+        self._dragging.ended.listen(self._look_again)
         session.changed.listen(lambda old, new: self._look_again())
         session.selected.listen(lambda old, new: self._look_again())
 
@@ -62,34 +61,33 @@ class Gestures:
     def press(self, at: Pointer) -> None:
         """The left button went down; during a drag begun by a key this accepts it."""
         self._pointer = at
-        if self._running is not None:
-            if self._running.modal:
-                self._follow(at)
-                self._finish()
-            return
-        self._pressed = at
+        if self._dragging.is_modal:
+            self._dragging.follow(at, self.camera)
+            self._dragging.accept()
+        elif not self._dragging.is_on:
+            self._pressed = at
 
     def move(self, to: Pointer) -> None:
         """The pointer moved, with the button down or up."""
         self._pointer = to
-        if self._running is None and self._pressed is not None:
+        if not self._dragging.is_on and self._pressed is not None:
             start = self._pressed
             if hypot(to.x - start.x, to.y - start.y) < DRAG_STARTS_AT:
                 return
             self._pressed = None
-            self._start(self._tool.drag, start, modal=False)
-        if self._running is not None:
-            self._follow(to)
+            self._dragging.start(self._tool.drag, start, self.stage(), modal=False)
+        if self._dragging.is_on:
+            self._dragging.follow(to, self.camera)
         else:
             self._look_again()
 
     def release(self, at: Pointer) -> None:
         """The left button was let go: the drag is over, or it was a click."""
         self._pointer = at
-        if self._running is not None:
-            if not self._running.modal:
-                self._follow(at)
-                self._finish()
+        if self._dragging.is_on:
+            if not self._dragging.is_modal:
+                self._dragging.follow(at, self.camera)
+                self._dragging.accept()
             return
         if self._pressed is not None:
             self._pressed = None
@@ -98,7 +96,7 @@ class Gestures:
 
     def double_click(self, at: Pointer) -> None:
         """The second press of a double click; to a tool that has no use for it, just a press."""
-        if self._running is not None:
+        if self._dragging.is_on:
             self.press(at)
             return
         self._pressed, self._pointer = None, at
@@ -121,16 +119,15 @@ class Gestures:
     def leave(self) -> None:
         """The pointer left the view; a drag goes on."""
         self._pointer = None
-        if self._running is None:
+        if not self._dragging.is_on:
             self.feedback.emit(Feedback())
 
     def begin(self, drag: str, at: Pointer) -> None:
         """Move, turn or scale what is selected, as "move", "turn" or "scale", from now on."""
         self.cancel()
         self._pointer = at
-        self._start(modal_drags[drag], at, modal=True)
-        if self._running is not None:
-            self._follow(at)
+        self._dragging.start(modal_drags[drag], at, self.stage(), modal=True)
+        self._dragging.follow(at, self.camera)
 
     def takes(self, key: str, held: Held = Held.NONE) -> bool:
         """Whether `key` would do something here, so that no shortcut may take it."""
@@ -151,8 +148,11 @@ class Gestures:
         key = _name(key)
         if not self.takes(key, held):
             return False
-        if self._running is not None:
-            self._key_of_drag(self._running, key, held)
+        if self._dragging.is_on:
+            if key == "Escape":
+                self.cancel()
+            else:
+                self._dragging.key(key, held, self.camera)
         elif self._pressed is not None:
             if key == "Escape":
                 self._pressed = None
@@ -165,11 +165,7 @@ class Gestures:
 
     def wheel(self, notches: float) -> bool:
         """The wheel was turned, away from the hand if positive; true if it was meant for a drag."""
-        running = self._running
-        if running is None or not running.widen(notches):
-            return False
-        self._follow(running.pointer)
-        return True
+        return self._dragging.widen(notches, self.camera)
 
     # What a window asks for
 
@@ -181,12 +177,12 @@ class Gestures:
     @property
     def is_busy(self) -> bool:
         """Whether a button is down or a drag under way."""
-        return self._running is not None or self._pressed is not None
+        return self._dragging.is_on or self._pressed is not None
 
     @property
     def is_modal(self) -> bool:
         """Whether a drag begun by a key is under way, which no button holds."""
-        return self._running is not None and self._running.modal
+        return self._dragging.is_modal
 
     def choose(self, name: str) -> None:
         """Take another tool; what is under way is given up. KeyError if there is none such."""
@@ -226,93 +222,13 @@ class Gestures:
 
     def cancel(self) -> bool:
         """Give up what is under way: design and selection are as before. True if there was any."""
-        running, was_busy = self._running, self.is_busy
-        self._pressed = self._running = None
-        if running is not None:
-            running.drag.close()
+        was_busy = self.is_busy
+        self._pressed = None
+        if self._dragging.is_on:
             self._tool.reset()
-            self._session.abort()
-            self._session.select(running.selection)
+            self._dragging.cancel()
             self._look_again()
         return was_busy
-
-    # Drags
-
-    def _start(self, make: Callable[[Pointer, Stage], Drag], at: Pointer, *, modal: bool) -> None:
-        stage = self.stage()
-        try:
-            drag = make(at, stage)
-            first = next(drag)
-        except StopIteration:
-            return
-        except EditError as error:
-            self.feedback.emit(Feedback(error=str(error)))
-            return
-        self._running = Running(drag, stage, modal, at, stage.selection, self._reach)
-        self._show(self._running, first)
-
-    def _follow(self, to: Pointer) -> None:
-        running = self._running
-        if running is None:
-            return
-        if self._session.committed is not running.stage.design:
-            # Undo, redo or another design in the midst of a drag: it has lost its ground.
-            self._running = None
-            running.drag.close()
-            return
-        try:
-            shown = running.answer(to, self.camera)
-        except StopIteration:
-            self._finish()
-            return
-        except EditError as error:
-            self.feedback.emit(Feedback(error=str(error)))
-            return
-        self._show(running, shown)
-
-    def _show(self, running: Running, shown: Shown) -> None:
-        outcome, feedback = shown.outcome, shown.feedback
-        try:
-            if isinstance(outcome, Selection):
-                self._session.select(outcome)
-            elif outcome is not None:
-                self._session.preview(outcome)
-                running.command = outcome
-            running.command = shown.at_end or running.command
-        except EditError as error:
-            # What was shown before stays, and is what would be committed.
-            feedback = replace(feedback, error=str(error))
-        if shown.pan != (0.0, 0.0):
-            running.pans = True
-            self.panned.emit(*shown.pan)
-        self.feedback.emit(feedback)
-
-    def _finish(self) -> None:
-        running, self._running = self._running, None
-        if running is None:
-            return
-        running.drag.close()
-        self._reach = running.reach
-        command = running.command
-        if command is None:
-            self._session.abort()
-        else:
-            try:
-                self._session.commit(command)
-            except EditError as error:
-                # Only what has not been shown before can fail.
-                self._session.abort()
-                self.feedback.emit(Feedback(error=str(error)))
-                return
-        self._look_again()
-
-    def _key_of_drag(self, running: Running, key: str, held: Held) -> None:
-        if key == "Escape":
-            self.cancel()
-        elif key == "Enter":
-            self._finish()
-        elif running.takes(key, held):
-            self._follow(running.pointer)
 
     def _look_again(self) -> None:
         """Say and show what is under the pointer now, unless a drag or nobody is there."""
