@@ -14,7 +14,7 @@ from plusedit.scene.composition import LEAST_MARGIN
 from plusedit.scene.drawn_surface import coarse_points
 from plusedit.scene.extremes import telling
 from plusedit.scene.figure import HIGHEST, Corner, Figure, FigureForm, bands, cropped, finite
-from plusedit.scene.framing import extent_of, framed, label_box
+from plusedit.scene.framing import extent_of, framed
 from plusedit.scene.items import (
     Caption,
     Item,
@@ -27,6 +27,7 @@ from plusedit.scene.items import (
     Polyline,
     Segments,
 )
+from plusedit.scene.label_places import label_box
 from plusedit.scene.options import ViewOptions, options_of
 from plusedit.scene.scene import Layers, scene_items
 from plusedit.scene.space_camera import SpaceCamera

@@ -10,6 +10,7 @@ from plusedit.geometry.arrays import Floats
 from plusedit.scene.camera import PlaneCamera
 from plusedit.scene.extremes import telling
 from plusedit.scene.items import Item, Label, Markers, Polygon, Polyline, Segments
+from plusedit.scene.label_places import label_box
 from plusedit.scene.options import ViewOptions
 from plusedit.scene.scene import scene_items
 from plusedit.scene.shapes import shown_meshes, shown_shapes
@@ -17,7 +18,6 @@ from plusedit.scene.shapes import shown_meshes, shown_shapes
 MARGIN = 32.0  # pixels around what is framed
 ROUNDS = 3  # handles and names keep their size in pixels: zooming in needs room for them again
 SETTLED = 0.01  # change of the scale for which another round is not worth its time
-CHARACTER = 0.6  # of the height of a font: about the width of a letter
 
 
 def framed(
@@ -73,10 +73,3 @@ def _extent(item: Item, camera: PlaneCamera, words: float) -> Iterable[Floats]:
             yield camera.plane(ends)
         case Label():
             yield camera.in_plane(camera.to_screen(item.at[None]) + words * label_box(item))
-
-
-def label_box(label: Label) -> Floats:
-    """(2, 2) the corners of about what a label covers, in pixels from its point."""
-    width = CHARACTER * label.size * len(label.text)
-    left = {"left": 0.0, "center": -0.5, "right": -1.0}[label.anchor] * width
-    return np.array([[left, -label.size], [left + width, label.size / 3.0]]) + label.offset

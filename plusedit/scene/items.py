@@ -75,6 +75,10 @@ class Label:
     """of the anchor, on the base line, from the point; pixels to the right and downwards"""
     anchor: Anchor = "left"
     size: float = 12.0
+    rank: int | None = None
+    """of a label that gives way to those of lower ranks where they are crowded; None: it stays"""
+    instead: tuple[tuple[float, float], ...] = ()
+    """offsets that serve as well, if that one leads where there is no room"""
 
 
 @dataclass(frozen=True, eq=False)

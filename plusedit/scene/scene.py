@@ -19,6 +19,7 @@ from plusedit.scene.camera import PlaneCamera
 from plusedit.scene.captions import in_corners
 from plusedit.scene.drawn_surface import surface_grids
 from plusedit.scene.items import Caption, Item, Label, Legend, Markers, Words
+from plusedit.scene.label_places import uncrowded
 from plusedit.scene.map_lines import map_items
 from plusedit.scene.mesh_shapes import mesh_items_in_plane
 from plusedit.scene.options import ViewOptions
@@ -91,7 +92,7 @@ def scene_items(
         )
     )
     handles = handle_items(design, camera, options, selection, only)
-    return _layers(overlays, chain(of_meshes, shapes), handles)
+    return _layers(camera, overlays, chain(of_meshes, shapes), handles)
 
 
 def design_items(
@@ -106,7 +107,8 @@ def design_items(
 
     While an edit is going on (`hurried`) what takes its time is left for later.
     """
-    return _layers(_of_design(design, camera, options, selection, wait=False, hurried=hurried))
+    overlays = _of_design(design, camera, options, selection, wait=False, hurried=hurried)
+    return _layers(camera, overlays)
 
 
 def _of_design(
@@ -123,7 +125,10 @@ def _of_design(
 
 
 def _layers(
-    overlays: Iterable[Item], shapes: Iterable[Item] = (), handles: Iterable[Item] = ()
+    camera: PlaneCamera,
+    overlays: Iterable[Item],
+    shapes: Iterable[Item] = (),
+    handles: Iterable[Item] = (),
 ) -> Layers:
     with np.errstate(all="ignore"):
         drawn = [item for item in overlays if is_finite(item)]
@@ -131,7 +136,7 @@ def _layers(
             tuple(item for item in drawn if not isinstance(item, Markers | Words)),
             tuple(filter(is_finite, shapes)),
             tuple(filter(is_finite, handles)),
-            tuple(item for item in drawn if isinstance(item, Markers | Label)),
+            uncrowded([item for item in drawn if isinstance(item, Markers | Label)], camera),
             tuple(item for item in drawn if isinstance(item, Legend)),
             tuple(item for item in drawn if isinstance(item, Caption)),
         )

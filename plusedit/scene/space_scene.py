@@ -31,6 +31,7 @@ from plusedit.scene.drawn_surface import Grids, surface_grids
 from plusedit.scene.face_outlines import face_fill
 from plusedit.scene.gizmo import gizmo_items, gizmo_of
 from plusedit.scene.items import Caption, Item, Label, Legend, Mesh, Patch, Polygon
+from plusedit.scene.label_places import uncrowded
 from plusedit.scene.map_values import values_of
 from plusedit.scene.mesh_shapes import darker, mesh_items_in_space
 from plusedit.scene.options import ViewOptions
@@ -155,6 +156,7 @@ def space_items(
                 case _:
                     lines.append(item)
         handles = filter(is_finite, _handles(design, camera, options, selection, only))
+        labels = [*uncrowded(labels, camera)]
         labels += filter(is_finite, _gizmo(design, camera, options, selection))
         if tints.legend is not None:
             labels.append(tints.legend)
