@@ -83,7 +83,7 @@ def test_a_label_takes_another_of_its_places_rather_than_none():
 
 def test_what_does_not_give_way_stays_in_its_order():
     fixed = [label(0.0, 0.0, "a", rank=None), label(0.0, 0.0, "b", rank=None)]
-    mark = Markers(np.zeros((1, 2)), 4.0, "text", "text")
+    mark = Markers(np.zeros((1, 2)), "disc", 4.0, None, "text")
     assert uncrowded([fixed[0], mark, fixed[1]], CAMERA) == (fixed[0], mark, fixed[1])
 
 
