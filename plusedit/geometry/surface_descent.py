@@ -162,7 +162,7 @@ def least_in_boxes(
     for _ in range(ROUNDS):
         ahead = np.clip(at + _step(now, damping, at <= first, at >= last), first, last)
         close = np.maximum(CLOSE * (last - first), 2.0 * np.spacing(last))
-        is_there: Flags = (np.abs(ahead - at) <= close).all(axis=1)
+        is_there = (np.abs(ahead - at) - close).max(axis=1) <= 0.0
         result[moving], values[moving] = np.where(is_there[:, None], ahead, at), now.value
         going = np.flatnonzero(~is_there & (damping < HARDEST))
         if not len(going):
