@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QStatusBar, QWid
 from plusedit.document.shape import Geometry, ShapeId
 from plusedit.interaction.facets import surfaces_under
 from plusedit.interaction.picking import curves_under
+from plusedit.interaction.readout import number
 from plusedit.interaction.tool import Feedback
 from plusedit.views.desk import Desk
 from plusedit.views.look import tabular
@@ -19,6 +20,7 @@ PAUSE = 30  # milliseconds between searches for the nearest point
 SAID = 6_000  # milliseconds that a sentence stays
 USUAL = "F1: keys and mouse   ·   Ctrl+Shift+P: find any command"
 NAMES = "xyz"
+PLACES = 3  # behind the point
 NEAR = 40.0  # pixels to a curve that is told of before others that are chosen, too
 
 Coordinates = tuple[tuple[int, float], ...]
@@ -67,7 +69,7 @@ class Status(QStatusBar):
         self.text = Elided()
         self.text.setAccessibleName("hint")
         self.place, self.bend = QLabel(), QLabel()
-        for label, widest in ((self.place, "x -0000.000  y -0000.000"), (self.bend, "0" * 28)):
+        for label, widest in ((self.place, "x −0000.000  y −0000.000"), (self.bend, "0" * 28)):
             label.setFont(tabular(label.font()))
             label.setMinimumWidth(label.fontMetrics().horizontalAdvance(widest))
             label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
@@ -148,7 +150,9 @@ class Status(QStatusBar):
             self.place.setText(self._read[0])
             self.bend.setText(self._read[1])
             return
-        self.place.setText("  ".join(f"{NAMES[axis]} {value:.3f}" for axis, value in self._at))
+        self.place.setText(
+            "  ".join(f"{NAMES[axis]} {number(value, PLACES)}" for axis, value in self._at)
+        )
         view, options = self._panes.active, self._desk.gestures.stage().options
         readings = (reading(g, view.camera, view.pointer.at, options) for g in self._probed())
         self.bend.setText(next(filter(None, readings), ""))

@@ -1,11 +1,18 @@
-"""Sums typed into number fields: "2*3+1", "sqrt(2)/2", "1,5". Nothing else is evaluated."""
+"""Sums typed into number fields: "2*3+1", "sqrt(2)/2", "1,5". Nothing else is evaluated.
+
+And numbers written: with a hyphen, as programs read them, where they are edited or copied; with a
+true minus sign where they are only read.
+"""
 
 import ast
 import math
 import operator
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from itertools import chain
 
 LONGEST = 200  # characters; what is longer was pasted by mistake
+MINUS = "\N{MINUS SIGN}"
+WHOLE = 1e5  # numbers up to there are rather written as whole ones than with an exponent
 
 
 def _power(base: float, exponent: float) -> float:
@@ -43,7 +50,9 @@ def calculated(text: str) -> float:
 
     Angles of sin, cos and tan are in degrees. ValueError says what is wrong with the text.
     """
-    cleaned = text.strip().replace(",", ".").replace("−", "-").replace("×", "*").replace("^", "**")
+    cleaned = (
+        text.strip().replace(",", ".").replace(MINUS, "-").replace("×", "*").replace("^", "**")
+    )
     if not cleaned:
         raise ValueError("a number is needed")
     if len(cleaned) > LONGEST:
@@ -84,3 +93,33 @@ def written(value: float, digits: int = 6) -> str:
     """`value` as short as `digits` significant digits allow, never as "-0"."""
     text = f"{value:.{digits}g}"
     return "0" if float(text) == 0.0 else text
+
+
+def true_minus(text: str) -> str:
+    """A number in words with the sign that is as wide as a digit, for reading only."""
+    return text.replace("-", MINUS)
+
+
+def compact(value: float, longest: int, digits: int = 4) -> str:
+    """`value` for reading, as wide as so many characters, a point among them, at most.
+
+    With fewer digits where it would be wider.
+    """
+    forms = chain.from_iterable(_forms(value, count) for count in range(digits, 0, -1))
+    return true_minus(next((text for text in forms if _width(text) <= longest), written(value, 1)))
+
+
+def _width(text: str) -> int:
+    """In narrow characters: without a point a number is wider than with one."""
+    return len(text) + ("." not in text) + ("e-" in text)
+
+
+def _forms(value: float, digits: int) -> Iterator[str]:
+    """`value` with so many significant digits, the plainest form first."""
+    plain = written(value, digits)
+    if "e" not in plain:
+        yield plain
+    elif 1.0 <= abs(value) < WHOLE:
+        yield f"{value:.0f}"
+    mantissa, _, power = f"{value:.{digits - 1}e}".partition("e")
+    yield f"{float(mantissa):g}e{int(power)}"

@@ -7,7 +7,7 @@ from PySide6.QtCore import QEvent, QPoint, QSignalBlocker, Qt
 from PySide6.QtGui import QFocusEvent, QKeyEvent, QKeySequence, QWheelEvent
 from PySide6.QtWidgets import QComboBox, QLineEdit, QToolTip, QWidget
 
-from plusedit.views.arithmetic import calculated, written
+from plusedit.views.arithmetic import calculated, true_minus, written
 from plusedit.views.look import tabular
 
 T = TypeVar("T")
@@ -48,7 +48,7 @@ class Field(QLineEdit, Generic[T]):
         shown = "" if value is None else self._write(value)
         self.setPlaceholderText(mixed if value is None else "")
         is_typing = self.hasFocus() and self.isModified()
-        if shown == self._shown and (is_typing or self.text() == shown):
+        if shown == self._shown and (is_typing or self.text() == self._dressed()):
             return
         self._shown = shown
         if not is_typing:
@@ -68,11 +68,13 @@ class Field(QLineEdit, Generic[T]):
 
     def focusInEvent(self, event: QFocusEvent) -> None:
         self._begin()
+        self._dress()
         super().focusInEvent(event)
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
         if event.reason() != Qt.FocusReason.PopupFocusReason:
             self._finish()
+            self._dress()
         super().focusOutEvent(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
@@ -113,11 +115,19 @@ class Field(QLineEdit, Generic[T]):
             self.selectAll()
         QToolTip.showText(self.mapToGlobal(QPoint(0, self.height())), reason, self)
 
+    def _dressed(self) -> str:
+        """What is shown, as it is to look now."""
+        return self._shown
+
+    def _dress(self) -> None:
+        if not self.isModified() and self.text() != self._dressed():
+            self._revert()
+
     def _revert(self) -> None:
         # What is selected as a whole stays so: the next number typed replaces this one.
         is_chosen = self.hasSelectedText() and self.selectedText() == self.text()
         with QSignalBlocker(self):
-            self.setText(self._shown)
+            self.setText(self._dressed())
             self.setCursorPosition(0)
             if is_chosen:
                 self.selectAll()
@@ -164,6 +174,10 @@ class NumberField(Field[float]):
         direction = 1 if event.angleDelta().y() > 0 else -1
         self._change_by(direction * self.step * _pace(event.modifiers()))
         event.accept()
+
+    def _dressed(self) -> str:
+        # What is copied or edited has the sign that programs read.
+        return self._shown if self.hasFocus() else true_minus(self._shown)
 
     def _number(self, text: str) -> float:
         value = calculated(text)

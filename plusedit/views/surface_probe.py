@@ -17,6 +17,7 @@ from plusedit.scene.drawn_mesh import drawing_of
 from plusedit.scene.options import ViewOptions
 from plusedit.scene.overlays import Overlay
 from plusedit.scene.surface_spots import sides_of_faces
+from plusedit.views.arithmetic import true_minus
 
 TOLD_ANYWAY = frozenset({"gaussian", "mean", "largest", "smallest"})
 
@@ -83,4 +84,4 @@ def _value(entry: Overlay, value: float) -> str:
 
 def written(value: float) -> str:
     """Four digits, or a dash where there is no such number."""
-    return f"{value + 0.0:.4g}" if isfinite(value) else "–"
+    return true_minus(f"{value + 0.0:.4g}") if isfinite(value) else "–"

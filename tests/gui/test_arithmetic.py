@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from plusedit.views.arithmetic import calculated, written
+from plusedit.views.arithmetic import calculated, compact, written
 
 
 @pytest.mark.parametrize(
@@ -52,3 +52,30 @@ def test_what_is_written_in_full_reads_back_as_the_same_number(value):
 def test_no_number_is_written_as_minus_zero():
     assert written(-0.0) == "0"
     assert written(-1e-300, 3) == "-1e-300"
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (-0.087921, "−0.0879"),
+        (0.087921, "0.08792"),
+        (-12345.6, "−12346"),
+        (-0.00012345, "−0.0001"),
+        (0.000012345, "1.2e−5"),
+        (1.5e6, "1.5e6"),
+        (-1.23456e12, "−1.2e12"),
+        (0.0, "0"),
+        (-12.0, "−12"),
+    ],
+)
+def test_a_number_that_would_be_too_long_has_fewer_digits(value, text):
+    assert compact(value, 7) == text
+
+
+@pytest.mark.parametrize("power", range(-99, 100))
+def test_a_compact_number_is_short_and_read_as_about_the_same(power):
+    for digits in (1.0, -1.2345, 9.996, -9.5):
+        value = digits * 10.0**power
+        text = compact(value, 7)
+        assert len(text) <= 7
+        assert calculated(text) == pytest.approx(value, rel=0.25)

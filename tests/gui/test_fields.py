@@ -142,3 +142,27 @@ def test_what_is_being_typed_survives_a_refresh(qtbot, field):
     qtbot.keyClicks(field, "1234")
     field.show_value(8.0)
     assert field.text() == "1234"
+
+
+def test_a_number_has_a_true_minus_sign_until_it_is_edited_or_copied(qtbot, field):
+    field.clearFocus()
+    field.show_value(-2.5)
+    assert field.text() == "−2.5"
+    field.setFocus()
+    field.selectAll()
+    assert float(field.selectedText()) == -2.5
+    field.clearFocus()
+    assert field.text() == "−2.5"
+
+
+@pytest.mark.parametrize("sign", ["-", "−"])
+def test_both_minus_signs_are_taken(qtbot, sign):
+    taken = []
+    field = NumberField("x", lambda value: taken.append(value) or "")
+    qtbot.addWidget(field)
+    field.show()
+    field.setFocus()
+    QApplication.clipboard().setText(f"{sign}4")
+    field.paste()
+    qtbot.keyClick(field, Qt.Key.Key_Return)
+    assert taken == [-4.0]

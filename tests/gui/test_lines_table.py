@@ -5,13 +5,13 @@ from numpy.testing import assert_allclose
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication
 
+from plusedit.commands.lines import SetCoordinate
 from plusedit.commands.shapes import Rename
 from plusedit.document.selection import LineId
+from plusedit.views.arithmetic import calculated
 from tests.designs import BOW, WING, a_design
 
 pytestmark = pytest.mark.gui
-
-CELL_MARGIN = 6  # pixels that the style leaves on both sides of a cell, about
 
 COLUMNS = {"line": 0, "x": 1, "y": 2, "angle": 3, "length": 4, "auto": 5, "weight": 6}
 
@@ -122,6 +122,14 @@ def test_place_and_angle_of_plane_curves_are_in_sight_from_the_start(window):
     assert right <= panel.table.viewport().width()
 
 
-def test_a_number_of_four_digits_is_not_cut(panel):
-    room = panel.table.fontMetrics().horizontalAdvance("-0.7625") + 2 * CELL_MARGIN
-    assert panel.table.columnWidth(COLUMNS["x"]) >= room
+@pytest.mark.parametrize(
+    "value", [-0.76251, -0.087921, -123456.7, -1.23456e-7, 1.23456e11, -0.5, 12.0]
+)
+def test_every_number_has_room_in_its_cell_and_is_edited_in_full(panel, value):
+    panel.desk.commit(SetCoordinate({WING: (1,)}, 0, value))
+    cell = panel.model.index(1, COLUMNS["x"])
+    shown, edited = panel.model.data(cell), panel.model.data(cell, Qt.ItemDataRole.EditRole)
+    assert panel.table.sizeHintForIndex(cell).width() <= panel.table.columnWidth(COLUMNS["x"])
+    assert float(edited) == value
+    assert calculated(shown) == pytest.approx(value, rel=0.25)
+    assert "-" not in shown

@@ -11,6 +11,7 @@ from plusedit.scene.drawn_mesh import drawing_of
 from plusedit.scene.options import ViewOptions
 from plusedit.scene.overlays import overlays
 from plusedit.scene.space_camera import SpaceCamera
+from plusedit.views.arithmetic import calculated
 from plusedit.views.probe import reading
 from tests.geometry.mesh.mesh_surfaces import torus as torus_mesh
 from tests.geometry.test_surface_frames import sphere
@@ -23,7 +24,7 @@ IN_SPACE = SpaceCamera((800.0, 600.0), height=8.0, pitch=0.9)
 def numbers(text):
     """What stands behind each name."""
     words = text.split()
-    return {name: float(value) for name, value in zip(words[::2], words[1::2], strict=False)}
+    return {name: calculated(value) for name, value in zip(words[::2], words[1::2], strict=False)}
 
 
 def test_a_surface_tells_how_it_bends():

@@ -14,6 +14,7 @@ from plusedit.geometry.surface import WAYS
 from plusedit.interaction.spotting import Spot, spot_under
 from plusedit.interaction.tool import Pointer, Stage
 from plusedit.scene.blending_plots import FunctionPlots, curve_plots, surface_plots
+from plusedit.views.arithmetic import true_minus
 from plusedit.views.desk import Desk
 from plusedit.views.live import LiveWidget
 from plusedit.views.panels import panel
@@ -158,7 +159,7 @@ class Blending(LiveWidget):
                 f"{i + 1}: {found.values[0, i]:.4f}, {found.reaches[0, i]:.4f}"
                 for i in plots.chosen[:NAMED]
             ]
-        return "     ".join(parts).replace("-", "\N{MINUS SIGN}")
+        return true_minus("     ".join(parts))
 
 
 def _nothing() -> None:

@@ -11,12 +11,19 @@ from PySide6.QtCore import (
     QPersistentModelIndex,
     Qt,
 )
-from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QStackedLayout, QTableView
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QHeaderView,
+    QStackedLayout,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
+    QTableView,
+)
 
 from plusedit.document.selection import LineId, Selection
 from plusedit.document.shape import Geometry, Shape, ShapeId
 from plusedit.scene.handles import has_many_faces
-from plusedit.views.arithmetic import calculated, written
+from plusedit.views.arithmetic import calculated, compact, written
 from plusedit.views.desk import Desk
 from plusedit.views.line_columns import Column, columns_for
 from plusedit.views.line_form import element_name
@@ -29,7 +36,8 @@ Index = QModelIndex | QPersistentModelIndex
 Role = Qt.ItemDataRole
 
 WIDEST = 104  # logical pixels of the column of names
-NUMBERS = 68  # of those of numbers: room for four digits and a sign
+WIDE = "−0.0000"  # what has room in those of numbers: four digits and a sign, or fewer digits
+AROUND = 18  # logical pixels that a cell has besides its text
 SHORT = 7  # characters of the name of a large mesh
 LISTED = 300  # control lines; a design with more lists those of the selected shapes only
 EMPTY = (
@@ -152,7 +160,7 @@ class LinesModel(QAbstractTableModel):
         value = column.number_of(geometry, row)
         if value is None:
             return ""
-        return written(value, 12 if role == Role.EditRole else 4)
+        return written(value, 12) if role == Role.EditRole else compact(value, len(WIDE))
 
     def setData(self, index: Index, value: object, role: int = Role.EditRole) -> bool:
         line, column = self._rows[index.row()], self._columns[index.column()]
@@ -186,6 +194,14 @@ def numbered(geometry: Geometry, row: int) -> str:
     return element_name(geometry, row).partition(" ")[2]
 
 
+class _NameCell(QStyledItemDelegate):
+    """A name with a number at its end: "wing 12" must not become "wing…"."""
+
+    def initStyleOption(self, option: QStyleOptionViewItem, index: Index) -> None:
+        super().initStyleOption(option, index)
+        option.textElideMode = Qt.TextElideMode.ElideMiddle
+
+
 @panel("lines_table", title="Control lines and planes", area="left", order=2)
 class LinesTable(LiveWidget):
     """The table, its selection being the session's."""
@@ -200,13 +216,12 @@ class LinesTable(LiveWidget):
         self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.table.setFont(tabular(self.table.font()))
         self.table.setShowGrid(False)
-        # Numbers stand at the end of names: "wing 12" must not become "wing…".
         self.table.setWordWrap(False)
-        self.table.setTextElideMode(Qt.TextElideMode.ElideMiddle)
+        self.table.setItemDelegateForColumn(0, _NameCell(self.table))
         self.table.verticalHeader().hide()
         self.table.verticalHeader().setDefaultSectionSize(24)
         header = self.table.horizontalHeader()
-        header.setDefaultSectionSize(NUMBERS)
+        header.setDefaultSectionSize(self.table.fontMetrics().horizontalAdvance(WIDE) + AROUND)
         header.setMinimumSectionSize(36)
         header.setHighlightSections(False)
         header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)

@@ -16,6 +16,7 @@ from plusedit.geometry.magnitude_profile import (
 from plusedit.geometry.natural import best_s_of
 from plusedit.scene.magnitude_plots import curvature_plot, distance_plot, energy_plot, ratios
 from plusedit.scene.plots import Plot
+from plusedit.views.arithmetic import true_minus
 from plusedit.views.desk import Desk
 from plusedit.views.live import LiveWidget
 from plusedit.views.newest import Newest
@@ -155,5 +156,4 @@ def _kind(geometry: PlusGeometry) -> tuple[object, ...]:
 
 def _written(value: float) -> str:
     """Four digits, or what stands for none."""
-    text = f"{value:.4g}" if isfinite(value) else "–"
-    return text.replace("-", "\N{MINUS SIGN}")
+    return true_minus(f"{value:.4g}") if isfinite(value) else "–"
