@@ -269,7 +269,7 @@ def test_edges_of_polygons_are_drawn_where_they_are_few_or_asked_for():
     asked = space_items(design, CAMERA, replace(BARE, wire=True))
     for layers in (few, asked):
         edges = [item for item in layers.lines if isinstance(item, Segments)]
-        assert max(len(item.starts) for item in edges) == len(net_of(a_hill()).edges)
+        assert max(len(item.starts) for item in edges) == len(net_of(design.mesh(HILL)).edges)
 
 
 def test_the_mesh_as_it_was_read_is_an_overlay():
