@@ -9,7 +9,15 @@ from dataclasses import dataclass, replace
 from typing import TypeAlias
 
 from plusedit.scene.items import Caption, Item, Legend
-from plusedit.scene.legends import MARGIN, NUMBERS, WORDS, Word, placed, width_of
+from plusedit.scene.legends import (
+    MARGIN,
+    NUMBERS,
+    WORDS,
+    PlacedLegend,
+    Word,
+    placed,
+    width_of,
+)
 
 PADDING = 7.0  # around what is in the box
 LINE = 15.0  # from one line of words to the next
@@ -66,6 +74,20 @@ def clear_of_legends(items: Iterable[Item], size: tuple[float, float]) -> Iterat
             if caption is not None and _meet(caption.box, legend.box):
                 continue
         yield item
+
+
+def boxes_of(items: Iterable[Item], size: tuple[float, float]) -> Iterator[Box]:
+    """What legends and captions among the items cover of a picture."""
+    for item in clear_of_legends(items, size):
+        match item:
+            case Legend():
+                found: PlacedLegend | PlacedCaption | None = placed(item, size)
+            case Caption():
+                found = placed_caption(item, size)
+            case _:
+                continue
+        if found is not None:
+            yield found.box
 
 
 def _meet(one: Box, other: Box) -> bool:

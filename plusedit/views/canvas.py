@@ -13,7 +13,7 @@ from plusedit.document.shape import ShapeId
 from plusedit.interaction.gesture import Gestures
 from plusedit.interaction.tool import Pointer
 from plusedit.scene.camera import PlaneCamera
-from plusedit.scene.captions import in_corners
+from plusedit.scene.captions import boxes_of, in_corners
 from plusedit.scene.framing import framed
 from plusedit.scene.items import Caption, Legend
 from plusedit.views.editing import MARGIN, Editing
@@ -59,7 +59,9 @@ class PlaneCanvas(Editing[PlaneCamera], PlaneView):
             items.paint(item for item in spotted if not isinstance(item, Legend | Caption))
             ItemPainter(painter, self.camera, self._theme).paint(self._feedback.items)
             words += [item for item in spotted if isinstance(item, Legend | Caption)]
-            items.paint(in_corners(words, RULER if self._options.rulers else 0.0))
+            written = in_corners(words, RULER if self._options.rulers else 0.0)
+            items.paint(written)
+            self._strip.keep_clear_of(boxes_of(written, self.camera.size))
             self._paint_words(painter, beside_rulers(look))
         if self._strata.is_apart and not previewed and not self._rest.isActive():
             self._rest.start()
@@ -84,9 +86,10 @@ class PlaneCanvas(Editing[PlaneCamera], PlaneView):
         self._strata.refresh(self._session.design)
         super().redraw_meshes()
 
-    def _strip_corner(self, size: QSize) -> QPoint:
-        top = int(RULER) + EDGE if self._options.rulers else EDGE
-        return QPoint(self.width() - size.width() - EDGE, top)
+    def _strip_corners(self, size: QSize) -> tuple[QPoint, ...]:
+        edge = int(RULER) + EDGE if self._options.rulers else EDGE
+        right = self.width() - size.width() - EDGE
+        return QPoint(right, edge), QPoint(edge, edge), QPoint((edge + right) // 2, edge)
 
     @property
     def _is_slow(self) -> bool:

@@ -54,7 +54,7 @@ class Editing(Wayfinding[C]):
         """whether neither the view nor the design has changed for a moment"""
         self._rest = QTimer(self, singleShot=True, interval=RESTS_AFTER)
         self._rest.timeout.connect(self._at_rest)
-        self._strip = SettingsStrip(self, self._strip_corner)
+        self._strip = SettingsStrip(self, self._strip_corners)
         self._strip.changed.connect(self.setting_changed)
         self.setMinimumSize(160, 120)
         deaf = [
@@ -153,8 +153,8 @@ class Editing(Wayfinding[C]):
         """Draw what the tool shows now."""
         self.update()
 
-    def _strip_corner(self, size: QSize) -> QPoint:
-        """Where numbers of overlays have room, so many pixels wide and high."""
+    def _strip_corners(self, size: QSize) -> tuple[QPoint, ...]:
+        """Where numbers of overlays may lie, so many pixels wide and high; the best place first."""
         raise NotImplementedError
 
     def _spotted(self) -> tuple[Item, ...]:

@@ -1,12 +1,24 @@
 """The numbers of the overlays that are on, in a corner of a view: set by dragging them sideways."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Sequence
 
-from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QSize, Qt, Signal
+from PySide6.QtCore import (
+    QEvent,
+    QObject,
+    QPoint,
+    QPointF,
+    QRect,
+    QRectF,
+    QSize,
+    Qt,
+    QTimer,
+    Signal,
+)
 from PySide6.QtGui import QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 
 from plusedit.document.session import Session
+from plusedit.scene.captions import Box
 from plusedit.scene.in_use import in_use
 from plusedit.scene.options import ViewOptions
 from plusedit.scene.overlays import Overlay, Setting, in_order
@@ -37,6 +49,11 @@ class SettingField(NumberField):
         self.setFixedWidth(WIDTH)
         # Keys are the view's, unless someone means to type.
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+
+    @property
+    def is_held(self) -> bool:
+        """Whether the mouse holds it, to drag it or to click."""
+        return self._held is not None
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         if self.hasFocus() or event.button() != Qt.MouseButton.LeftButton or self.value is None:
@@ -93,10 +110,12 @@ class SettingsStrip(QWidget):
     changed = Signal(str, float)
     """"overlay.setting", and the number"""
 
-    def __init__(self, view: QWidget, corner: Callable[[QSize], QPoint]) -> None:
-        """`corner` is where there is room for a strip that large."""
+    def __init__(self, view: QWidget, corners: Callable[[QSize], Sequence[QPoint]]) -> None:
+        """`corners` are where a strip that large may lie, the best place first."""
         super().__init__(view)
-        self._corner = corner
+        self._corners = corners
+        self._taken: tuple[QRect, ...] = ()
+        """what legends and captions cover of the view"""
         self._shown: list[Overlay] = []
         self._fields: dict[str, SettingField] = {}
         self._rows = QGridLayout(self)
@@ -127,13 +146,27 @@ class SettingsStrip(QWidget):
             self._fill(shown)
             self.show_options(options, session)
 
+    def keep_clear_of(self, boxes: Iterable[Box]) -> None:
+        """Lie beside those boxes of legends and captions, as far as there is room."""
+        taken = tuple(QRectF(*box).toAlignedRect() for box in boxes)
+        if taken != self._taken:
+            self._taken = taken
+            # Asked for while the view is painted, when nothing may move.
+            QTimer.singleShot(0, self, self.place)
+
     def place(self) -> None:
         """Take the corner that is free, if there is anything to show."""
         self.setVisible(bool(self._shown))
-        if self._shown:
+        # What the mouse holds stays under it.
+        if self._shown and not any(field.is_held for field in self._fields.values()):
             self.adjustSize()
-            self.move(self._corner(self.size()))
+            self.move(min(self._corners(self.size()), key=self._covered))
             self.raise_()
+
+    def _covered(self, corner: QPoint) -> int:
+        """How many pixels of legends and captions the strip would cover there."""
+        covered = [QRect(corner, self.size()) & box for box in self._taken]
+        return sum(part.width() * part.height() for part in covered if not part.isEmpty())
 
     def _fill(self, entries: list[Overlay]) -> None:
         while (item := self._rows.takeAt(0)) is not None:

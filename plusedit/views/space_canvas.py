@@ -18,6 +18,8 @@ from plusedit.interaction.facets import point_of, surfaces_under
 from plusedit.interaction.gesture import Gestures
 from plusedit.interaction.picking import under
 from plusedit.interaction.tool import Pointer
+from plusedit.scene.captions import boxes_of
+from plusedit.scene.items import Caption
 from plusedit.scene.legends import AXES
 from plusedit.scene.space_camera import SpaceCamera
 from plusedit.scene.space_framing import framed_in_space
@@ -35,7 +37,6 @@ from plusedit.views.settings_strip import EDGE
 from plusedit.views.space_overlay import Sheet, SpaceOverlay
 from plusedit.views.space_view import SpaceView
 
-HALF = 0.5  # of the height: where the legend may begin
 SLOW = 0.030  # seconds, for a frame
 FARTHEST = 1e3  # heights of the view up to which the ground is where the pointer is
 
@@ -142,24 +143,25 @@ class SpaceCanvas(Editing[SpaceCamera], SpaceView):
             self._overlay.update()
 
     def _refresh_overlay(self) -> None:
-        design = self._session.design
+        design, spotted = self._session.design, self._spotted()
+        captions = [item for item in spotted if isinstance(item, Caption)]
+        self._strip.keep_clear_of(boxes_of(self._layers.words(captions), self.camera.size))
         self._overlay.sheet = Sheet(
             self.camera,
             self._theme,
             self._layers,
-            self._spotted(),
+            spotted,
             self._feedback,
             self._pointer,
             self._problem,
             is_empty=not len(design) and not self._feedback.items,
         )
 
-    def _strip_corner(self, size: QSize) -> QPoint:
-        # Below the axes, unless the legend begins there already and the other corner is free.
-        is_low = AXES + size.height() > HALF * self.height()
-        if is_low and EDGE + size.width() < self.width() - AXES:
-            return QPoint(EDGE, EDGE)
-        return QPoint(self.width() - size.width() - EDGE, int(AXES))
+    def _strip_corners(self, size: QSize) -> tuple[QPoint, ...]:
+        below_axes = QPoint(self.width() - size.width() - EDGE, int(AXES))
+        if EDGE + size.width() > self.width() - AXES:
+            return (below_axes,)
+        return below_axes, QPoint(EDGE, EDGE)
 
     @property
     def _is_slow(self) -> bool:

@@ -1,14 +1,20 @@
 """Numbers of overlays over the view: shown while they mean something, set by dragging."""
 
 import pytest
-from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtCore import QPoint, QPointF, QRectF, Qt
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel
 
 from plusedit.commands.shapes import SetVisible
 from plusedit.document.selection import Selection
-from plusedit.scene.options import options_of
+from plusedit.interaction.gesture import Gestures
+from plusedit.scene.camera import PlaneCamera
+from plusedit.scene.captions import boxes_of, in_corners
+from plusedit.scene.options import ViewOptions, options_of
+from plusedit.scene.scene import scene_items
+from plusedit.views.canvas import PlaneCanvas
+from plusedit.views.ground import RULER
 from plusedit.views.settings_strip import DOUBLES, NOTCH, SettingField, SettingsStrip
 from tests.gui.test_canvas import LEFT, move
 
@@ -107,6 +113,36 @@ def test_it_keeps_to_the_corner_of_the_view(window, strip):
     QApplication.processEvents()
     assert window.canvas.rect().contains(strip.geometry())
     assert strip.geometry().center().x() > window.canvas.width() / 2
+
+
+@pytest.mark.parametrize(("height", "is_right"), [(700, True), (270, False)])
+def test_it_covers_neither_legend_nor_captions_in_a_low_view(qtbot, opened, height, is_right):
+    canvas = PlaneCanvas(opened.session, Gestures(opened.session, PlaneCamera((800.0, 600.0))))
+    qtbot.addWidget(canvas)
+    canvas.resize(700, height)
+    canvas.set_options(ViewOptions(frozenset({"gaussian", "comb"})))
+    canvas.show()
+    strip = canvas.findChild(SettingsStrip)
+    layers = scene_items(opened.session.design, canvas.camera, canvas.options)
+    words = in_corners((*layers.legends, *layers.captions), RULER)
+    boxes = [QRectF(*box) for box in boxes_of(words, (700.0, float(height)))]
+    assert layers.legends
+    assert boxes
+
+    def is_clear():
+        return not any(box.intersects(QRectF(strip.geometry())) for box in boxes)
+
+    qtbot.waitUntil(is_clear)
+    assert (strip.geometry().center().x() > canvas.width() / 2) == is_right
+
+
+def test_it_stays_under_the_mouse_that_drags_it(qtbot, opened, strip, scale):
+    before = strip.pos()
+    QTest.mousePress(scale, LEFT)
+    strip.keep_clear_of([(float(before.x()), float(before.y()), 300.0, 300.0)])
+    QApplication.processEvents()
+    assert strip.pos() == before
+    QTest.mouseRelease(scale, LEFT)
 
 
 @pytest.mark.parametrize(("right", "times"), [(1.0, 2.0), (-1.0, 0.5), (2.0, 4.0)])
