@@ -210,6 +210,8 @@ QTableView::item { padding: 0 6px; }
 QHeaderView { background: @panel; }
 QHeaderView::section { background: @panel; color: @quiet; border: none;
     border-bottom: 1px solid @border; padding: 4px 6px; }
+QTableView[dense="true"]::item { padding: 0; }
+QTableView[dense="true"] QHeaderView::section:horizontal { padding: 4px 2px; }
 QScrollArea { border: none; background: transparent; }
 QScrollBar:vertical { background: transparent; width: 10px; margin: 0; }
 QScrollBar:horizontal { background: transparent; height: 10px; margin: 0; }

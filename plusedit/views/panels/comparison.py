@@ -1,17 +1,20 @@
 """What the selected shapes are made of, side by side."""
 
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QStackedLayout, QTableWidget
 from PySide6.QtWidgets import QTableWidgetItem as Cell
 
 from plusedit.document.shape import Shape
-from plusedit.scene.shape_account import HEADS, HINTS, account_of
+from plusedit.scene.shape_account import HEADS, HINTS, NONE, account_of
 from plusedit.views.desk import Desk
 from plusedit.views.live import LiveWidget, quiet
 from plusedit.views.look import tabular
 from plusedit.views.panels import panel
 
 MOST = 8  # shapes side by side
+WIDEST = 96  # logical pixels of the names
+FAMILY, LEAST = 0, 84  # the column of families, and its least width: they may be broken
 EMPTY = (
     "Nothing is selected.\n\n"
     "Select shapes to see, side by side, their degrees, control elements and how many numbers are "
@@ -37,7 +40,8 @@ class Comparison(LiveWidget):
         self.table = QTableWidget(0, len(HEADS))
         self.table.setAccessibleName("comparison")
         for column, hint in enumerate(HINTS):
-            head = Cell(HEADS[column])
+            # On two lines, so that ten columns are in sight beside the panels.
+            head = Cell(HEADS[column].replace(" ", "\n", 1))
             head.setToolTip(hint)
             self.table.setHorizontalHeaderItem(column, head)
         self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
@@ -45,8 +49,15 @@ class Comparison(LiveWidget):
         self.table.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.table.setShowGrid(False)
         self.table.setFont(tabular(self.table.font()))
-        self.table.verticalHeader().setDefaultSectionSize(24)
-        self.table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        self.table.setProperty("dense", True)
+        names = self.table.verticalHeader()
+        names.setMinimumSectionSize(24)
+        names.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        names.setMaximumWidth(WIDEST)
+        names.setTextElideMode(Qt.TextElideMode.ElideMiddle)
+        heads = self.table.horizontalHeader()
+        heads.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        heads.setSectionResizeMode(FAMILY, QHeaderView.ResizeMode.Fixed)
         self.table.setHorizontalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
         empty = quiet(EMPTY)
         empty.setProperty("panel", True)
@@ -64,12 +75,28 @@ class Comparison(LiveWidget):
             return
         self._shown = shapes
         self.table.setRowCount(len(shapes))
-        self.table.setVerticalHeaderLabels([shape.name for shape in shapes])
         for row, shape in enumerate(shapes):
+            name = Cell(shape.name)
+            name.setToolTip(shape.name)
+            self.table.setVerticalHeaderItem(row, name)
             for column, text in enumerate(account_of(shape.geometry)):
                 cell = Cell(text)
                 cell.setTextAlignment(Qt.AlignmentFlag.AlignCenter)
                 self.table.setItem(row, column, cell)
+        for column in range(len(HEADS)):
+            is_known = any(account_of(shape.geometry)[column] != NONE for shape in shapes)
+            self.table.setColumnHidden(column, not is_known)
+        self._fit()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._fit()
+
+    def _fit(self) -> None:
+        """Give the families the room that the other columns leave, as far as they need it."""
+        heads, wanted = self.table.horizontalHeader(), self.table.sizeHintForColumn(FAMILY)
+        room = self.table.viewport().width() - heads.length() + heads.sectionSize(FAMILY)
+        heads.resizeSection(FAMILY, max(LEAST, min(wanted, room)))
 
     def _shapes(self) -> list[Shape]:
         """The selected shapes, those in front first; all, where there are few and none selected."""
