@@ -4,4 +4,4 @@ The library is `plusedit.geometry`; it needs numpy, and numba where it samples s
 knows neither files nor windows.
 """
 
-__version__ = "0.3.0"
+__version__ = "0.3.1"
