@@ -28,6 +28,8 @@ def run(paths: list[str]) -> int:
     from plusedit.app.window import MainWindow
 
     window = MainWindow(Settings())
+    # What to begin with is no question to whom a file was given.
+    window.start_page.set_blank(bool(paths))
     window.show()
     QTimer.singleShot(0, lambda: begin(window, [Path(path) for path in paths]))
     return application.exec()
@@ -55,6 +57,7 @@ def begin(window: "MainWindow", paths: list[Path]) -> None:
     is_taken = has_left_behind() and window.flows.recover()
     if paths and not is_taken:
         window.files.open(paths.pop(0))
+    window.start_page.set_blank(False)
     for path in paths:
         if path.absolute() != window.files.path:
             open_elsewhere(path)

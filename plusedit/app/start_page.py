@@ -140,7 +140,8 @@ class StartPage(QScrollArea):
         self._across = 0
         self.setWidgetResizable(True)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAsNeeded)
-        self.setWidget(self._page(new_curve, ask))
+        self._whole = self._page(new_curve, ask)
+        self.setWidget(self._whole)
 
     def set_theme(self, theme: Theme) -> None:
         """Draw pictures in those colors, once they can be seen."""
@@ -150,6 +151,10 @@ class StartPage(QScrollArea):
             self.figure.set_theme(theme)
         if self.isVisible():
             self._one_by_one.start(0)
+
+    def set_blank(self, is_blank: bool) -> None:
+        """Show nothing, as long as a file that was asked for is on its way."""
+        self._whole.setHidden(is_blank)
 
     def show_recent(self, paths: list[Path]) -> None:
         """List these files as recent ones."""

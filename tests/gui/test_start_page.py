@@ -5,6 +5,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QPushButton
 
 from plusedit.app.figure import CURVE, Figure
+from plusedit.app.main import begin
 from plusedit.app.start_page import MOST_ACROSS, words_of
 from plusedit.resources import example_files
 from plusedit.scene.theme import DARK
@@ -21,6 +22,13 @@ def page(window):
 def test_the_first_window_shows_the_start_page(window):
     assert window.stack.currentWidget() is window.start_page
     assert not window.docks.by_name["inspector"].isVisible()
+
+
+def test_it_waits_in_white_for_a_file_that_was_asked_for_and_is_there_if_none_comes(page, window):
+    page.set_blank(True)
+    assert not any(button.isVisible() for button in page.findChildren(QPushButton))
+    begin(window, [])
+    assert all(button.isVisible() for button in page.findChildren(QPushButton))
 
 
 def test_every_example_gets_a_picture_after_the_first_frame(qtbot, page):
