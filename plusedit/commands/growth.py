@@ -14,6 +14,7 @@ from plusedit.document.shape import ShapeId
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.curve import PlusCurve
 from plusedit.geometry.insertion import insert_line
+from plusedit.geometry.keeping import holds
 from plusedit.geometry.magnitude import polygon_length
 from plusedit.geometry.sizes import with_end_line, without_lines
 
@@ -74,7 +75,10 @@ class DeleteLines(NetCommand):
 
 @dataclass(frozen=True, eq=False)
 class InsertLine(Command):
-    """Put a control line on a curve; the shape changes as little as the family allows."""
+    """Put a control line on a curve; the shape changes as little as the family allows.
+
+    What the curve keeps passing through moves along it, so that it changes little then, too.
+    """
 
     shape_id: ShapeId
     u: float
@@ -84,7 +88,25 @@ class InsertLine(Command):
         return "Insert control line"
 
     def apply(self, design: Design) -> Design:
-        return edit_curves(design, [self.shape_id], lambda _, curve: inserted(curve, self.u)[0])
+        return edit_curves(design, [self.shape_id], lambda _, curve: self._longer(design, curve))
+
+    def _longer(self, design: Design, curve: PlusCurve) -> PlusCurve:
+        """With the points that the curve keeps passing through where it runs already.
+
+        Elsewhere they would draw it away as soon as it passes through them again.
+        """
+        longer, new = inserted(curve, self.u)
+        kept = [
+            number + (number >= new)
+            for wish in design[self.shape_id].constraints
+            if wish.kind == "passing" and holds(curve, wish)
+            for number in wish.numbers
+        ]
+        if not kept:
+            return longer
+        points = longer.lines.points.copy()
+        points[kept] = curve.at(longer.basis.nodes[kept])
+        return replace(longer, lines=longer.lines.with_points(points))
 
     def old_numbers(self, old: Design, new: Design) -> OldNumbers:
         curve = old.curve(self.shape_id)

@@ -120,6 +120,19 @@ def test_points_keep_being_passed_through_under_their_new_numbers(edit, numbers)
     assert keeps_all(found)
 
 
+@pytest.mark.parametrize("numbers", [(1, 3, 4), (0, 1, 2, 3, 4, 5)])
+@pytest.mark.parametrize("u", [0.2, 0.55, 0.9])
+def test_a_line_is_inserted_where_the_curve_runs_though_it_passes_through_points(numbers, u):
+    found = session(Wish("passing", numbers))
+    params = np.linspace(0.0, 1.0, 200)
+    before = found.design.curve(A).at(params)
+    found.commit(InsertLine(A, u))
+    after = found.design.curve(A).at(params)
+    assert keeps_all(found)
+    distances = np.linalg.norm(after[:, None] - before, axis=2).min(axis=1)
+    assert distances.max() < 0.02 * np.ptp(before, axis=0).max()
+
+
 def test_of_a_curve_that_runs_the_other_way_the_other_end_is_tangent():
     found = session(START, Wish("passing", (1,)))
     found.commit(ReverseCurves((A,)))
