@@ -15,6 +15,7 @@ from plusedit.document.constraining import problems_of
 from plusedit.document.design import Design, EditError
 from plusedit.document.session import Session
 from plusedit.document.shape import Shape, ShapeId
+from plusedit.geometry.bases.bernstein import Bernstein
 from plusedit.geometry.bases.bspline import BSpline
 from plusedit.geometry.constraints import Wish
 from plusedit.geometry.curve import PlusCurve
@@ -120,10 +121,13 @@ def test_points_keep_being_passed_through_under_their_new_numbers(edit, numbers)
     assert keeps_all(found)
 
 
-@pytest.mark.parametrize("numbers", [(1, 3, 4), (0, 1, 2, 3, 4, 5)])
+@pytest.mark.parametrize("numbers", [(1, 3, 4), tuple(range(7))])
 @pytest.mark.parametrize("u", [0.2, 0.55, 0.9])
-def test_a_line_is_inserted_where_the_curve_runs_though_it_passes_through_points(numbers, u):
-    found = session(Wish("passing", numbers))
+@pytest.mark.parametrize("basis", [BSpline(7, 4), Bernstein(7)], ids=str)
+def test_a_line_is_inserted_where_the_curve_runs_though_it_passes_through_points(basis, numbers, u):
+    arch = session().design.curve(A)
+    shape = Shape(PlusCurve(basis, arch.lines, arch.s), "Arch")
+    found = session(Wish("passing", numbers), shape=shape)
     params = np.linspace(0.0, 1.0, 200)
     before = found.design.curve(A).at(params)
     found.commit(InsertLine(A, u))
