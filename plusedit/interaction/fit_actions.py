@@ -45,8 +45,20 @@ def fitted(stage: Stage, factor: float) -> Outcome:
             source = known.within(factor * known.tolerance)
         if float(np.ptp(source.points, axis=0).max()) == 0.0:
             raise EditError(f"{shape.name} is a single point: there is nothing to fit.")
+        if factor < 1.0:
+            _refuse_what_no_curve_follows(shape.name, source)
         steps.append(Refit(shape_id, source))
     return steps[0] if len(steps) == 1 else Together(f"Fit {len(steps)} curves", tuple(steps))
+
+
+def _refuse_what_no_curve_follows(name: str, source: FitSource) -> None:
+    """EditError where the points, as those of a hand or a scan, are not smooth to the tolerance."""
+    if source.fitted.largest <= source.tolerance:
+        return
+    raise EditError(
+        f"{name}: the {len(source.points)} points that it is fitted to are not smooth to within "
+        f"{source.tolerance:.3g}; it stays as it is."
+    )
 
 
 def joined(stage: Stage) -> Outcome:

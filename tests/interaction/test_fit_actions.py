@@ -5,8 +5,8 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from plusedit.commands.fitting import fit_source
-from plusedit.document.design import Design
+from plusedit.commands.fitting import FitSource, fit_source, fitted_shape
+from plusedit.document.design import Design, EditError
 from plusedit.document.selection import Selection
 from plusedit.document.shape import Shape, ShapeId
 from plusedit.geometry.bases.bernstein import Bernstein
@@ -140,3 +140,18 @@ def test_strokes_far_apart_are_not():
     perform(found, "join_fitted")
     assert len(found.session.design) == 2
     assert "meet end to end" in found.errors[-1]
+
+
+def test_points_on_pixels_are_not_followed_more_closely_than_they_are_smooth():
+    t = np.linspace(0.0, 1.0, 180)
+    points = np.round(np.stack([600.0 * t, 200.0 * np.sin(6.0 * t)], axis=1))
+    shape = fitted_shape(FitSource(points, 3.0), "Stroke")
+    found = Hand(Design({WAVE: shape}))
+    found.session.select(Selection.of_shapes([WAVE]))
+    for _ in range(3):
+        perform(found, "fit_closer")
+    kept = found.session.design
+    with pytest.raises(EditError, match="Stroke: the 180 points that it is fitted to"):
+        ACTIONS["fit_closer"].make(found.gestures.stage())
+    assert found.session.design is kept
+    assert np.abs(found.curve().lines.points[:, 1]).max() < 210.0
