@@ -15,7 +15,7 @@ settings.register_profile(
     "plusedit",
     deadline=None,
     derandomize=True,
-    max_examples=30,
+    max_examples=25,
     database=None,
     suppress_health_check=[HealthCheck.too_slow],
 )

@@ -40,26 +40,24 @@ def slider(window):
 OUTSIDE_THE_VIEWS = pytest.mark.parametrize("place", [shape_list, table, slider])
 
 
+OVERLAYS = [
+    (Qt.Key.Key_K, SHIFT, "comb"),
+    (Qt.Key.Key_X, SHIFT, "extrema"),
+    (Qt.Key.Key_O, Qt.KeyboardModifier.NoModifier, "circle"),
+    (Qt.Key.Key_J, Qt.KeyboardModifier.NoModifier, "continuity"),
+    (Qt.Key.Key_N, Qt.KeyboardModifier.NoModifier, "numbers"),
+]
+
+
 @OUTSIDE_THE_VIEWS
-@pytest.mark.parametrize(
-    ("key", "held", "overlay"),
-    [
-        (Qt.Key.Key_K, SHIFT, "comb"),
-        (Qt.Key.Key_X, SHIFT, "extrema"),
-        (Qt.Key.Key_O, Qt.KeyboardModifier.NoModifier, "circle"),
-        (Qt.Key.Key_J, Qt.KeyboardModifier.NoModifier, "continuity"),
-        (Qt.Key.Key_N, Qt.KeyboardModifier.NoModifier, "numbers"),
-    ],
-)
-def test_a_letter_switches_an_overlay_wherever_the_focus_is(
-    qtbot, filled, place, key, held, overlay
-):
+def test_letters_switch_overlays_wherever_the_focus_is(qtbot, filled, place):
     widget = place(filled)
     widget.setFocus()
-    was_on = overlay in filled.view.options.overlays
-    qtbot.keyClick(widget, key, held)
-    assert (overlay in filled.view.options.overlays) is not was_on
-    assert filled.focusWidget() is widget
+    for key, held, overlay in OVERLAYS:
+        was_on = overlay in filled.view.options.overlays
+        qtbot.keyClick(widget, key, held)
+        assert (overlay in filled.view.options.overlays) is not was_on
+        assert filled.focusWidget() is widget
 
 
 @OUTSIDE_THE_VIEWS
