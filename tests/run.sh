@@ -38,7 +38,7 @@ start_screen() {
 
 test_on_screen() {
   start_screen || return
-  QT_QPA_PLATFORM=xcb "$venv/bin/python" -m pytest -m gl --continue-on-collection-errors
+  QT_QPA_PLATFORM=xcb "$venv/bin/python" -m pytest -m gl tests/gl --continue-on-collection-errors
   local code=$?
   unset DISPLAY
   kill "$screen"

@@ -21,3 +21,10 @@ def test_the_scripts_install_every_library_that_the_doctor_looks_for():
     assert len(looked_for) > 20
     for library, package in looked_for.items():
         assert package in installed[library]
+
+
+def test_all_tests_that_need_a_screen_are_where_they_are_looked_for():
+    here = Path(__file__).parent
+    marked = [p for p in here.rglob("test_*.py") if "mark.gl\n" in p.read_text(encoding="utf-8")]
+    assert len(marked) > 5
+    assert all(path.parent == here / "gl" for path in marked)
