@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from plusedit.geometry.arrays import Floats
 from plusedit.geometry.mesh.domains import Domain
 from plusedit.geometry.mesh.evaluation import FLAT
+from plusedit.geometry.mesh.foundation import Foundation
 from plusedit.geometry.mesh.held import Held
 from plusedit.geometry.mesh.mesh_surface import MeshSurface
 from plusedit.geometry.mesh.nearby import DEEPEST
@@ -106,29 +107,15 @@ def _near_planes(planes: FacePlanes, domain: Domain, places: Floats) -> Near:
 def _bounds(old: MeshSurface, new: MeshSurface, places: Floats) -> Floats:
     """(m,) no plane that is nearest in units of sigma, of either surface, has a larger e there."""
     if old.foundation is new.foundation and not places.flags.writeable:
-        return _known_bounds(_Sigmas(old), Held(places))
+        return _known_bounds(old.foundation, old.smoothness, old.domain, Held(places))
     narrow = np.minimum(old.sigmas, new.sigmas)
     return _least_exponents(near_planes(old, places), narrow, old.domain)
 
 
-class _Sigmas:
-    """A surface, equal to others of the same sigmas and places of planes."""
-
-    def __init__(self, surface: MeshSurface) -> None:
-        self.surface = surface
-        self.key = surface.foundation, surface.smoothness, surface.domain
-
-    def __hash__(self) -> int:
-        return hash(self.key)
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Sigmas) and other.key == self.key
-
-
 @lru_cache(maxsize=8)
-def _known_bounds(of: _Sigmas, held: Held) -> Floats:
-    surface = of.surface
-    return _least_exponents(near_planes(surface, held.array), surface.sigmas, surface.domain)
+def _known_bounds(foundation: Foundation, smoothness: float, domain: Domain, held: Held) -> Floats:
+    near = _known_near_planes(foundation.planes, domain, held)
+    return _least_exponents(near, smoothness * foundation.reaches, domain)
 
 
 def _least_exponents(near: Near, sigmas: Floats, domain: Domain) -> Floats:

@@ -50,7 +50,7 @@ def grids_pay(scene: "Scene", box: Floats, places: int, reach: float) -> bool:
     planes = np.add.reduceat(scene.counts[:, 3], starts)
     extent, sigmas = box[1] - box[0], scene.units * reach
     around = extent + 2.0 * sigmas[:, None]
-    images = np.add.reduceat(scene.images.sum(axis=1), starts)
+    images = np.maximum.reduceat(scene.images.sum(axis=1), starts)
     images = np.minimum(images, (around / np.maximum(extent, sigmas[:, None])).prod(axis=1))
     found = planes * images
     seen = found * np.minimum(1.0, np.pi * sigmas**2 / np.maximum(around.prod(axis=1), 1e-300))

@@ -67,7 +67,7 @@ def fill(
     near, stack = np.empty(4), np.empty(160, np.int64)
     table = np.empty(NUMBERS * LONG_TABLE, np.float32)
     numbers = table.reshape(NUMBERS, LONG_TABLE)
-    partial, size = np.empty_like(grid), 4 * WIDTH * height
+    size = 4 * WIDTH * height
     known, unit, depth = scene.spreading, scene.units[group], np.float32(scene.numbers[1])
     first, last = scene.groups[group, 0], scene.groups[group, 1]
     filled = False
@@ -87,10 +87,10 @@ def fill(
                     spread(table, count, least, bins, weights, width, height, work, grid)
                     continue
                 # Sums of thousands one by one lose digits with every step.
-                partial[:size] = np.float32(0.0)
-                spread(table, count, least, bins, weights, width, height, work, partial)
+                between[:size] = np.float32(0.0)
+                spread(table, count, least, bins, weights, width, height, work, between)
                 for k in range(size):
-                    grid[k] += partial[k]
+                    grid[k] += between[k]
             if filled and not direct:
                 radius, edge = known.radii[step, 0], MARGIN - AFTER - known.radii[step, 1]
                 blurred(radius, known.blurs[step], edge, width, height, between, grid)
