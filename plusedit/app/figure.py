@@ -59,7 +59,6 @@ class Figure(QFrame):
         """Draw in those colors."""
         self.canvas.set_theme(theme)
         self.slider.theme = theme
-        self.slider.update()
 
     def _show(self) -> None:
         curve = self.session.design.curve(CURVE)

@@ -99,7 +99,6 @@ class MagnitudeBar(LiveWidget):
         empty = "mixed" if targets else ""
         self.ratio_field.show_value(ratio, mixed=empty)
         self.s_field.show_value(common(shape.s for shape in targets.values()), mixed=empty)
-        self.slider.update()
 
     def _suit(self, targets: Mapping[ShapeId, Geometry]) -> None:
         """Run over s itself for meshes, which have no length of a polygon; show their S."""

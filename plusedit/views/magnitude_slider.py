@@ -119,7 +119,7 @@ class MagnitudeSlider(QWidget):
         self._own_keys = OwnKeys(self, KEYS)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.set_scale(scale)
-        self.theme: Theme = LIGHT
+        self._theme = LIGHT
         self.ratio: float | None = 0.5
         """None where the shapes differ, or there are none"""
         self.best: float | None = None
@@ -129,6 +129,17 @@ class MagnitudeSlider(QWidget):
         self._pause.setSingleShot(True)
         self._pause.setInterval(PAUSE)
         self._pause.timeout.connect(self.settled)
+
+    @property
+    def theme(self) -> Theme:
+        """The colors that it is drawn in."""
+        return self._theme
+
+    @theme.setter
+    def theme(self, theme: Theme) -> None:
+        if theme != self._theme:
+            self._theme = theme
+            self.update()
 
     @property
     def is_busy(self) -> bool:

@@ -149,7 +149,7 @@ class ParameterView(PlaneView):
         turned = "   turned over" if stage.sheet.flipped[face] else ""
         return (
             f"u {u}  v {v}",
-            f"face {face:,}   angles × {stretch.angles[face]:.3g}"
+            f"face {face + 1}   angles × {stretch.angles[face]:.3g}"
             f"   area × {stretch.areas[face]:.3g}{turned}",
         )
 

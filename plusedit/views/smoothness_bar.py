@@ -53,7 +53,6 @@ class SmoothnessBar(QWidget):
         self.field.show_value(smoothness)
         design = self._desk.session.design
         self.numbers.show_meshes(meshes, {i: design[i].name for i in meshes})
-        self.slider.update()
 
     def _preview(self, value: float) -> None:
         if self._moved is None:

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QCheckBox, QPushButton
 from plusedit.app import menus
 from plusedit.commands.lines import MovePoints
 from plusedit.document.selection import LineId, Selection
+from plusedit.scene.theme import DARK
 from plusedit.views.face_form import FaceForm
 from tests.gui.conftest import select_lines
 from tests.gui.finding import named, type_into
@@ -107,6 +108,16 @@ def test_smoothness_at_faces_is_typed_stepped_and_taken_back(qtbot, landscape, i
     assert form_of(inspector).uneven.count.text() == "2 faces with local S"
     named(inspector, "reset local S").click()
     assert hill(landscape).factors is None
+
+
+def test_the_local_slider_is_drawn_again_in_other_colors(qtbot, landscape, inspector):
+    pick(inspector, landscape, 3)
+    slider = form_of(inspector).slider
+    qtbot.waitUntil(slider.isVisible)
+    drawn = []
+    slider.paintEvent = lambda event: drawn.append(slider.theme)
+    landscape.view.set_look("dark")
+    qtbot.waitUntil(lambda: DARK in drawn)
 
 
 def test_a_drag_of_the_local_slider_is_live_and_one_step(qtbot, landscape, inspector):
